@@ -1,0 +1,206 @@
+//! One form for edges and arcs. With apex m, unit normal n at m and curvature κ, a point p lies on the curve where
+//! κ |p − m|² − 2 n·(p − m) = 0. A straight edge is κ = 0; nothing cancels when the radius grows without bound.
+
+use glam::DVec2;
+
+use crate::numerics::{atan, cross};
+
+/// A directed straight edge or circular arc from `a` to `b`.
+///
+/// `n` points to the left of the direction of travel at `m`. An arc with positive `curvature` turns left: its center
+/// `m + n / curvature` lies on its left and it bulges to the right of its chord. Lengths are scene units (millimetres).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve {
+    /// First end.
+    pub a: DVec2,
+    /// Second end.
+    pub b: DVec2,
+    /// A point of the curve's line or circle where `n` is the normal: the middle of an edge, the apex of a whole arc.
+    pub m: DVec2,
+    /// Unit normal at `m`, to the left of the direction of travel.
+    pub n: DVec2,
+    /// Signed curvature, 1/radius; 0 is straight, positive turns left.
+    pub curvature: f64,
+}
+
+impl Curve {
+    /// The straight edge from `a` to `b`. Equal points give a zero normal; callers refuse them before.
+    #[must_use]
+    pub fn line(a: DVec2, b: DVec2) -> Self {
+        Self { a, b, m: 0.5 * (a + b), n: (b - a).normalize_or_zero().perp(), curvature: 0.0 }
+    }
+
+    /// The arc from `a` to `b` that passes through a point between them; `None` where the three do not make an arc
+    /// (on one line, or equal).
+    #[must_use]
+    pub fn arc(a: DVec2, through: DVec2, b: DVec2) -> Option<Self> {
+        let (first, second) = (through - a, b - through);
+        let turn = cross(first, second);
+        let bulge = turn / (first.length() * second.length() + first.dot(second));
+        if turn == 0.0 || !bulge.is_finite() || a == b {
+            return None;
+        }
+        Some(Self::arc_from_bulge(a, b, bulge))
+    }
+
+    /// The arc from `a` to `b` whose central angle φ gives `bulge` = tan(φ/4), positive when it turns left.
+    #[must_use]
+    pub fn arc_from_bulge(a: DVec2, b: DVec2, bulge: f64) -> Self {
+        let chord = b - a;
+        let left = chord.perp();
+        let length = chord.length();
+        let curvature = 4.0 * bulge / ((1.0 + bulge * bulge) * length);
+        Self { a, b, m: 0.5 * (a + b) - 0.5 * bulge * left, n: left / length, curvature }
+    }
+
+    /// Whether the curve is a straight edge.
+    #[must_use]
+    pub fn is_straight(&self) -> bool {
+        self.curvature == 0.0
+    }
+
+    /// The center of an arc, infinite for an edge.
+    #[must_use]
+    pub fn center(&self) -> DVec2 {
+        self.m + self.n / self.curvature
+    }
+
+    /// The point halfway along. An arc must not exceed half a circle unless `m` is its apex, which it then returns.
+    #[must_use]
+    pub fn midpoint(&self) -> DVec2 {
+        let middle = 0.5 * (self.a + self.b);
+        if self.is_straight() {
+            return middle;
+        }
+        let chord = self.b - self.a;
+        if self.spans_more_than_half() {
+            return self.m;
+        }
+        let bent = 0.5 * chord.length() * self.curvature;
+        let sagitta_per_half_chord = bent / (1.0 + (1.0 - bent * bent).max(0.0).sqrt());
+        middle - 0.5 * sagitta_per_half_chord * chord.perp()
+    }
+
+    /// Whether an arc goes more than half way round its circle; `m` is then its apex.
+    #[must_use]
+    pub fn spans_more_than_half(&self) -> bool {
+        !self.is_straight() && {
+            let to_apex = (self.m - 0.5 * (self.a + self.b)).length();
+            // The apex of a larger arc stands higher over the chord than half of it.
+            2.0 * to_apex > (self.b - self.a).length() * (1.0 + 1e-12) && self.has_apex_between()
+        }
+    }
+
+    fn has_apex_between(&self) -> bool {
+        let (da, db) = ((self.m - self.a).length(), (self.m - self.b).length());
+        (da - db).abs() <= 1e-6 * (da + db)
+    }
+
+    /// Unit normal to the left of the direction of travel at a point on the curve.
+    #[must_use]
+    pub fn normal_at(&self, p: DVec2) -> DVec2 {
+        if self.is_straight() {
+            return self.n;
+        }
+        (self.n + self.curvature * (self.m - p)).normalize_or(self.n)
+    }
+
+    /// Unit direction of travel at a point on the curve.
+    #[must_use]
+    pub fn tangent_at(&self, p: DVec2) -> DVec2 {
+        -self.normal_at(p).perp()
+    }
+
+    /// Distance of a point from the curve's whole line or circle, positive on the left of the direction of travel.
+    #[must_use]
+    pub fn offset(&self, p: DVec2) -> f64 {
+        let q = p - self.m;
+        let value = 2.0 * self.n.dot(q) - self.curvature * q.length_squared();
+        let gradient = (self.n - self.curvature * q).length();
+        value / (1.0 + gradient)
+    }
+
+    /// The nearest point of the curve's whole line or circle.
+    #[must_use]
+    pub fn project(&self, p: DVec2) -> DVec2 {
+        p - self.offset(p) * self.normal_at(p)
+    }
+
+    /// How far along the chord a point lies: grows from 0 at `a` to the squared chord at `b`, monotone along an edge
+    /// and along an arc of at most half a circle.
+    #[must_use]
+    pub fn along(&self, p: DVec2) -> f64 {
+        (p - self.a).dot(self.b - self.a)
+    }
+
+    /// Length of the curve from `a` to `b`.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        let chord = (self.b - self.a).length();
+        if self.is_straight() { chord } else { self.arc_length(self.midpoint()) }
+    }
+
+    /// Length along an arc whose middle is known: 2 r φ/2 with tan(φ/4) = sagitta / half chord.
+    fn arc_length(&self, middle: DVec2) -> f64 {
+        let half_chord = 0.5 * (self.b - self.a).length();
+        let sagitta = (middle - 0.5 * (self.a + self.b)).length();
+        let quarter = atan(sagitta / half_chord);
+        // r = half chord / sin(φ/2); for tiny angles this is 2 half_chord (1 + …), which the quotient keeps.
+        4.0 * quarter / self.curvature.abs()
+    }
+
+    /// The two halves, each with the same line or circle.
+    #[must_use]
+    pub fn halves(&self) -> [Self; 2] {
+        let middle = self.midpoint();
+        [Self { b: middle, ..*self }, Self { a: middle, ..*self }]
+    }
+
+    /// The same points, traveled the other way.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { a: self.b, b: self.a, m: self.m, n: -self.n, curvature: -self.curvature }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: f64, b: f64) -> bool {
+        (a - b).abs() <= 1e-14 * (1.0 + a.abs())
+    }
+
+    #[test]
+    fn an_arc_through_three_points_of_the_unit_circle() {
+        let arc = Curve::arc(DVec2::X, DVec2::Y, -DVec2::X).unwrap();
+        assert!(close(arc.curvature, 1.0));
+        assert!((arc.center()).length() < 1e-15);
+        assert!((arc.midpoint() - DVec2::Y).length() < 1e-15);
+        assert!(close(arc.length(), std::f64::consts::PI));
+        assert!(close(arc.offset(DVec2::new(0.0, 0.25)), 0.75), "left of a left turn is inside");
+    }
+
+    #[test]
+    fn three_quarters_of_a_circle() {
+        let arc = Curve::arc(DVec2::X, -DVec2::X, -DVec2::Y).unwrap();
+        assert!(arc.spans_more_than_half());
+        assert!(close(arc.length(), 1.5 * std::f64::consts::PI));
+        let [first, second] = arc.halves();
+        assert!(close(first.length(), 0.75 * std::f64::consts::PI));
+        assert!(close(second.length(), 0.75 * std::f64::consts::PI));
+    }
+
+    #[test]
+    fn a_radius_of_1e12_stays_an_arc() {
+        let sagitta = 0.5e-8;
+        let arc = Curve::arc(DVec2::new(-100.0, 0.0), DVec2::new(0.0, -sagitta), DVec2::new(100.0, 0.0)).unwrap();
+        assert!((arc.curvature * 1e12 - 1.0).abs() < 1e-9);
+        assert!(close(arc.length(), 200.0));
+    }
+
+    #[test]
+    fn points_on_a_line_make_no_arc() {
+        assert!(Curve::arc(DVec2::ZERO, DVec2::X, 2.0 * DVec2::X).is_none());
+    }
+}

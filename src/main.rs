@@ -1,0 +1,3 @@
+//! The `snellius` command.
+
+fn main() {}

@@ -1,0 +1,104 @@
+//! The one place that calls transcendental functions, through libm: the standard library's differ between platforms.
+
+use glam::DVec2;
+
+const DEGREES_PER_RADIAN: f64 = 180.0 / std::f64::consts::PI;
+const RADIANS_PER_DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// A rotation, counter-clockwise positive, as cosine and sine of its angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Cosine of the angle.
+    pub cos: f64,
+    /// Sine of the angle.
+    pub sin: f64,
+}
+
+impl Turn {
+    /// The turn by an angle in degrees. Multiples of 90° are exact, and angles that mirror each other give the same bits.
+    #[must_use]
+    pub fn degrees(angle: f64) -> Self {
+        let reduced = angle % 360.0;
+        let quarter = (reduced / 90.0).round_ties_even();
+        let rest = (reduced - quarter * 90.0) * RADIANS_PER_DEGREE;
+        let (sin, cos) = libm::sincos(rest);
+        let (cos, sin) = match quarter.rem_euclid(4.0) {
+            0.0 => (cos, sin),
+            1.0 => (-sin, cos),
+            2.0 => (-cos, -sin),
+            _ => (sin, -cos),
+        };
+        // Adding 0 turns −0 into 0, so that no direction prints as −0.
+        Self { cos: cos + 0.0, sin: sin + 0.0 }
+    }
+
+    /// The vector turned about the origin.
+    #[must_use]
+    pub fn apply(self, v: DVec2) -> DVec2 {
+        DVec2::new(self.cos * v.x - self.sin * v.y, self.sin * v.x + self.cos * v.y)
+    }
+
+    /// The unit vector at this angle from +x.
+    #[must_use]
+    pub fn direction(self) -> DVec2 {
+        DVec2::new(self.cos, self.sin)
+    }
+}
+
+/// Angle of the vector `(x, y)` from +x in degrees, −180 to 180; 0 for the zero vector.
+#[must_use]
+pub fn atan2_degrees(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x) * DEGREES_PER_RADIAN
+}
+
+/// Arc sine in degrees, −90 to 90; NaN outside −1 to 1.
+#[must_use]
+pub fn asin_degrees(x: f64) -> f64 {
+    libm::asin(x) * DEGREES_PER_RADIAN
+}
+
+/// Arc cosine in degrees, 0 to 180; NaN outside −1 to 1.
+#[must_use]
+pub fn acos_degrees(x: f64) -> f64 {
+    libm::acos(x) * DEGREES_PER_RADIAN
+}
+
+/// Tangent of an angle in degrees.
+#[must_use]
+pub fn tan_degrees(angle: f64) -> f64 {
+    let turn = Turn::degrees(angle);
+    turn.sin / turn.cos
+}
+
+/// Arc tangent in radians.
+#[must_use]
+pub fn atan(x: f64) -> f64 {
+    libm::atan(x)
+}
+
+/// The exponential function.
+#[must_use]
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarter_turns_are_exact() {
+        for (angle, cos, sin) in [(0.0, 1.0, 0.0), (90.0, 0.0, 1.0), (-180.0, -1.0, 0.0), (630.0, 0.0, -1.0)] {
+            assert_eq!(Turn::degrees(angle), Turn { cos, sin }, "{angle}°");
+        }
+    }
+
+    #[test]
+    fn mirrored_angles_share_their_bits() {
+        for angle in [1.0, 30.0, 44.9, 45.0, 63.2] {
+            let (plus, minus, across) = (Turn::degrees(angle), Turn::degrees(-angle), Turn::degrees(180.0 - angle));
+            assert_eq!((plus.cos, plus.sin), (minus.cos, -minus.sin));
+            assert_eq!((plus.cos, plus.sin), (-across.cos, across.sin));
+        }
+    }
+}

@@ -1,0 +1,85 @@
+use glam::DVec2;
+
+/// What the figure shows and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiagramSettings {
+    /// Width and height in pixels, SVG user units.
+    pub size: [u32; 2],
+    /// What part of the plane is shown.
+    pub view: View,
+    /// Colors of ground and ink.
+    pub theme: Theme,
+    /// What a ray's color tells.
+    pub color: RayColor,
+    /// Branches below this share of the source ray are traced and counted, not drawn.
+    pub faintest: f64,
+    /// Dashed normals at the hits.
+    pub normals: bool,
+    /// Angle marks at the hits.
+    pub angles: bool,
+    /// Labels of bodies.
+    pub labels: bool,
+    /// Arrowheads on rays.
+    pub arrows: bool,
+    /// Legend.
+    pub legend: bool,
+    /// Dashed extensions of rays.
+    pub extensions: bool,
+    /// Coordinate grid.
+    pub grid: bool,
+    /// Scale bar.
+    pub scale_bar: bool,
+}
+
+impl Default for DiagramSettings {
+    fn default() -> Self {
+        Self {
+            size: [960, 540],
+            view: View::Auto,
+            theme: Theme::Light,
+            color: RayColor::Auto,
+            faintest: 0.01,
+            normals: true,
+            angles: true,
+            labels: true,
+            arrows: true,
+            legend: true,
+            extensions: false,
+            grid: false,
+            scale_bar: false,
+        }
+    }
+}
+
+/// What part of the plane a figure shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum View {
+    /// Bodies, sources and the interesting part of the rays, with a margin.
+    Auto,
+    /// The box between two opposite corners, in scene units.
+    Box(DVec2, DVec2),
+}
+
+/// Colors of ground and ink.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Theme {
+    /// White ground.
+    Light,
+    /// Dark ground.
+    Dark,
+    /// White ground, black ink, no color needed.
+    Print,
+}
+
+/// What a ray's color tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayColor {
+    /// The theme's ray color if all light is one line, else as [`RayColor::Wavelength`].
+    Auto,
+    /// The wavelength.
+    Wavelength,
+    /// The power.
+    Power,
+    /// How the segment came about.
+    Via,
+}

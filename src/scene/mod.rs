@@ -1,0 +1,63 @@
+//! What a scene file says: bodies, sources, how to trace and what to draw, with every problem in it found and placed.
+
+mod body;
+mod diagram;
+mod medium;
+mod source;
+mod tracing;
+
+use glam::DVec2;
+
+pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
+pub use diagram::{DiagramSettings, RayColor, Theme, View};
+pub use medium::Medium;
+pub use source::{Direction, Light, Polarization, Source, Spectrum};
+pub use tracing::{SecondaryRays, TraceSettings};
+
+/// A whole scene, as its file describes it.
+///
+/// Lengths are millimetres, angles degrees counter-clockwise, x to the right and y up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Heading of the figure; may be empty.
+    pub title: String,
+    /// Sentence under the title; may be empty.
+    pub caption: String,
+    /// What fills the plane outside every body.
+    pub surroundings: Medium,
+    /// Bodies; where two overlap, the later one fills the overlap.
+    pub bodies: Vec<Body>,
+    /// Light sources.
+    pub sources: Vec<Source>,
+    /// How far rays are followed.
+    pub trace: TraceSettings,
+    /// What the figure shows.
+    pub diagram: DiagramSettings,
+    /// Words on the figure.
+    pub notes: Vec<Note>,
+}
+
+/// Words at a place of the figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// Where the words stand, in scene units.
+    pub at: DVec2,
+    /// The words.
+    pub text: String,
+}
+
+impl Default for Scene {
+    /// Vacuum without bodies or sources.
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            caption: String::new(),
+            surroundings: Medium::Index(1.0),
+            bodies: Vec::new(),
+            sources: Vec::new(),
+            trace: TraceSettings::default(),
+            diagram: DiagramSettings::default(),
+            notes: Vec::new(),
+        }
+    }
+}

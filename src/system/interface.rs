@@ -1,0 +1,60 @@
+use glam::DVec2;
+
+use crate::geometry::Curve;
+
+/// A medium of an [`OpticalSystem`](crate::OpticalSystem); two ids are equal exactly where the media are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct MediumId(pub(crate) u32);
+
+/// A point shared by every interface that ends there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct VertexId(pub(crate) u32);
+
+/// A piece of boundary: an edge, or an arc of at most half a circle, with what lies on its two sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interface {
+    /// Where it runs, relative to the system's origin.
+    pub curve: Curve,
+    /// Its end points' identities: the start's, the end's.
+    pub ends: [VertexId; 2],
+    /// The medium on the left of the direction of travel.
+    pub left: MediumId,
+    /// The medium on the right.
+    pub right: MediumId,
+    /// What it does to a ray.
+    pub action: Action,
+    /// The body that a hit here names, by its place in the scene.
+    pub body: usize,
+}
+
+/// What an interface does to a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// Refracts and reflects.
+    Refract,
+    /// Reflects everything.
+    Mirror,
+    /// Takes everything.
+    Absorb,
+    /// Takes everything and records it.
+    Detect {
+        /// Distance along the screen from its first point to this piece's start, scene units.
+        along: f64,
+        /// +1 where the piece runs as the screen was written, −1 against it.
+        sense: f64,
+    },
+    /// Reflects and transmits fixed shares.
+    Split {
+        /// Reflected share.
+        reflect: f64,
+        /// Transmitted share.
+        transmit: f64,
+    },
+    /// The ideal thin lens.
+    ThinLens {
+        /// Center of the lens, relative to the system's origin.
+        center: DVec2,
+        /// Focal length, positive converging.
+        focal_length: f64,
+    },
+}

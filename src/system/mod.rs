@@ -1,0 +1,82 @@
+//! The compiled scene: boundaries with a medium on each side, no names, units or overlaps left to resolve.
+
+mod interface;
+mod placed;
+
+pub use interface::{Action, Interface, MediumId, VertexId};
+pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
+
+use glam::DVec2;
+
+use crate::light::Wavelength;
+use crate::media::Dispersion;
+use crate::scene::TraceSettings;
+
+/// A scene ready to trace.
+///
+/// Interfaces and ray starts are relative to [`OpticalSystem::origin`], so that a scene far from the coordinate origin
+/// loses no digits; bodies and everything that leaves a trace are in scene coordinates.
+#[derive(Clone, Debug)]
+pub struct OpticalSystem {
+    pub(crate) origin: DVec2,
+    pub(crate) interfaces: Vec<Interface>,
+    pub(crate) media: Vec<Dispersion>,
+    pub(crate) surroundings: MediumId,
+    pub(crate) bodies: Vec<PlacedBody>,
+    pub(crate) sources: Vec<PlacedSource>,
+    pub(crate) settings: TraceSettings,
+    pub(crate) title: String,
+}
+
+impl OpticalSystem {
+    /// The bodies in the scene's order, placed, for drawing and for the names in a trace.
+    #[must_use]
+    pub fn bodies(&self) -> &[PlacedBody] {
+        &self.bodies
+    }
+
+    /// The sources in the scene's order.
+    #[must_use]
+    pub fn sources(&self) -> &[PlacedSource] {
+        &self.sources
+    }
+
+    /// The point that interfaces and ray starts are relative to, in scene coordinates.
+    #[must_use]
+    pub fn origin(&self) -> DVec2 {
+        self.origin
+    }
+
+    /// The boundaries at which a ray changes.
+    #[must_use]
+    pub fn interfaces(&self) -> &[Interface] {
+        &self.interfaces
+    }
+
+    /// The medium outside every body.
+    #[must_use]
+    pub fn surroundings(&self) -> MediumId {
+        self.surroundings
+    }
+
+    /// Title of the scene.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Refractive index of a medium at a vacuum wavelength, at least 1.
+    #[must_use]
+    pub fn index(&self, medium: MediumId, wavelength: Wavelength) -> f64 {
+        self.media[medium.0 as usize].index(wavelength)
+    }
+
+    /// Every wavelength that some source emits, ascending, each once.
+    #[must_use]
+    pub fn wavelengths(&self) -> Vec<Wavelength> {
+        let mut lines: Vec<_> = self.sources.iter().flat_map(|source| source.lines.iter().copied()).collect();
+        lines.sort_by(|a, b| a.nanometres().total_cmp(&b.nanometres()));
+        lines.dedup();
+        lines
+    }
+}

@@ -1,0 +1,116 @@
+use crate::light::Wavelength;
+use crate::numerics::Sum;
+use crate::trace::{Ending, Segment, SegmentId, TracedRay};
+
+/// What became of all the light: counts, powers and screens, without the tree.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// Source rays, one per line.
+    pub rays: u64,
+    /// Listed segments, those not followed included.
+    pub segments: u64,
+    /// Where the power went.
+    pub balance: PowerBalance,
+    /// Every screen in the bodies' order, hit or not.
+    pub screens: Vec<ScreenRecord>,
+}
+
+/// Where the power of the sources went, in their unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PowerBalance {
+    /// Sent out by the sources.
+    pub emitted: Sum,
+    /// Left the scene.
+    pub escaped: Sum,
+    /// Stayed at hits.
+    pub absorbed: Sum,
+    /// Landed on screens.
+    pub detected: Sum,
+    /// In branches below `min_power`.
+    pub cut_min_power: Sum,
+    /// In branches beyond `max_depth`.
+    pub cut_max_depth: Sum,
+    /// In branches beyond `max_segments`.
+    pub cut_max_segments: Sum,
+}
+
+/// One screen's record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScreenRecord {
+    /// The screen, by its place among the scene's bodies.
+    pub body: usize,
+    /// Where light landed, in the order of the trace.
+    pub hits: Vec<ScreenHit>,
+}
+
+/// Light that landed on a screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScreenHit {
+    /// The source, by its place in the scene.
+    pub source: usize,
+    /// The ray within its source.
+    pub ray: usize,
+    /// Vacuum wavelength.
+    pub wavelength: Wavelength,
+    /// The segment that landed, within its ray.
+    pub segment: SegmentId,
+    /// Distance along the screen from its first point, scene units.
+    pub position: f64,
+    /// Power that landed.
+    pub power: f64,
+}
+
+impl PowerBalance {
+    /// Emitted power less all the others: 0 up to rounding.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        let mut sum = self.emitted;
+        let gone =
+            [self.escaped, self.absorbed, self.detected, self.cut_min_power, self.cut_max_depth, self.cut_max_segments];
+        for part in gone {
+            sum.add(-part.value());
+        }
+        sum.value()
+    }
+}
+
+impl Summary {
+    /// Counts one segment of a ray.
+    pub(crate) fn record(&mut self, ray: &TracedRay, segment: &Segment) {
+        self.segments += 1;
+        let power = segment.power.total();
+        if segment.parent.is_none() {
+            self.rays += 1;
+            self.balance.emitted.add(power);
+        }
+        let share = |hit: Option<f64>| hit.map_or(0.0, |share| power * share);
+        match segment.ending {
+            Ending::Escaped => self.balance.escaped.add(power),
+            Ending::CutMinPower => self.balance.cut_min_power.add(power),
+            Ending::CutMaxDepth => self.balance.cut_max_depth.add(power),
+            Ending::CutMaxSegments => self.balance.cut_max_segments.add(power),
+            Ending::Detected => self.detect(ray, segment, power),
+            Ending::Absorbed => self.balance.absorbed.add(power),
+            Ending::Interface => {
+                let kept = segment
+                    .hit
+                    .map(|hit| 1.0 - hit.reflected_share(segment.power) - hit.transmitted_share(segment.power));
+                self.balance.absorbed.add(share(kept));
+            }
+        }
+    }
+
+    fn detect(&mut self, ray: &TracedRay, segment: &Segment, power: f64) {
+        self.balance.detected.add(power);
+        let Some(hit) = segment.hit else { return };
+        let Some(screen) = self.screens.iter_mut().find(|screen| screen.body == hit.body) else { return };
+        screen.hits.push(ScreenHit {
+            source: ray.source,
+            ray: ray.ray,
+            wavelength: ray.wavelength,
+            segment: segment.id,
+            position: hit.position.unwrap_or(0.0),
+            power,
+        });
+    }
+}
