@@ -8,4 +8,4 @@ mod trig;
 pub use cross::cross;
 pub use predicates::side;
 pub use sum::Sum;
-pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, sin, tan_degrees};
+pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, pow, sin, tan_degrees};
