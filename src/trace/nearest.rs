@@ -9,10 +9,7 @@ use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side};
-use crate::system::{Interface, MediumId, Start, VertexId};
-
-/// Tangents and relative curvatures that differ by less are one; far above their rounding.
-const SAME: f64 = 1e-12;
+use crate::system::{Interface, MediumId, SAME, Start, VertexId};
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use proptest::prelude::*;
+use snellius::geometry::Curve;
 use snellius::light::Power;
 use snellius::scene::{SecondaryRays, Substance};
 use snellius::trace::{Ending, Segment, TracedRay, Via};
@@ -96,8 +97,13 @@ fn path(run: &Run, segment: &Segment, parent: Option<&Segment>) {
     // The point is rounded once along the ray, once onto the curve and twice into the scene's coordinates; a curve that is
     // one with an earlier body's runs up to 16 u beside it.
     let outlines = &run.system.bodies()[hit.body].outlines;
-    let off = outlines.iter().flat_map(|o| &o.curves).map(|c| distance(c, to)).fold(f64::INFINITY, f64::min);
-    assert!(off <= 32.0 * U * reach, "a hit {:.1} u off its outline: {segment:?}", off / U / reach);
+    // The oracle measures from centers, which are good to an ulp of the radius.
+    let units = |c: &Curve| {
+        let radius = if c.curvature == 0.0 { 0.0 } else { c.curvature.abs().recip() };
+        distance(c, to) / (U * (reach + radius))
+    };
+    let off = outlines.iter().flat_map(|o| &o.curves).map(units).fold(f64::INFINITY, f64::min);
+    assert!(off <= 32.0, "a hit {off:.1} u off its outline: {segment:?}");
     let aside = direction.perp_dot(to - from);
     assert!(aside.abs() <= 32.0 * U * reach, "a hit {:.1} u off its ray: {segment:?}", aside / U / reach);
     let length = (to - from).dot(direction);
