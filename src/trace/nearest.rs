@@ -88,15 +88,16 @@ impl Probe<'_> {
             }
         }
         let turn = cross(self.ray.direction, p - self.ray.from);
-        if turn.abs() > self.near { turn > 0.0 } else { self.passes_on_the_right() }
+        if turn.abs() > self.near { turn > 0.0 } else { self.leaves_on_the_left(p) }
     }
 
-    /// On which side of vertices ahead a ray passes that runs through them, up to rounding: true is their right. It tilts
-    /// away from the interface it stands on; any other ray leaves them on its right.
-    fn passes_on_the_right(&self) -> bool {
+    /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
+    /// away from the interface it stands on; any other ray has such vertices on its right.
+    fn leaves_on_the_left(&self, p: DVec2) -> bool {
         self.last.is_some_and(|(last, heads_left)| {
             let along = last.curve.tangent_at(self.ray.from).dot(self.ray.direction) > 0.0;
-            heads_left != along
+            let ahead = (p - self.ray.from).dot(self.ray.direction) > 0.0;
+            (heads_left != along) == ahead
         })
     }
 
@@ -109,8 +110,11 @@ impl Probe<'_> {
 
     fn edge(&self, candidate: &Interface) -> Met {
         let from_left = self.passes_from_left(candidate)?;
-        let Curve { m, n, .. } = candidate.curve;
+        let Curve { a, b, m, n, .. } = candidate.curve;
+        let along = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
         let distance = n.dot(m - self.ray.from) / n.dot(self.ray.direction);
+        // An edge along the ray, up to rounding, is met between its ends too.
+        let distance = distance.max(along[0].min(along[1])).min(along[0].max(along[1]));
         self.ahead(candidate, distance).map(|distance| (distance, from_left))
     }
 
