@@ -163,8 +163,10 @@ impl Probe<'_> {
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
     fn from_end(&self, candidate: &Interface, vertex: VertexId) -> Met {
         let Interface { curve, ends, .. } = candidate;
-        let at = if ends[0] == vertex { curve.a } else { curve.b };
-        let into_bulge = cross(curve.b - curve.a, self.ray.direction) * curve.curvature < 0.0;
+        let at_start = ends[0] == vertex;
+        let (at, other, far) = if at_start { (curve.a, ends[1], curve.b) } else { (curve.b, ends[0], curve.a) };
+        // An arc that turns left bulges to the right of its chord, which is there if the other end is on the ray's left.
+        let into_bulge = (self.is_left(other, far) == at_start) == (curve.curvature > 0.0);
         let distance = 2.0 * curve.normal_at(at).dot(self.ray.direction) / curve.curvature;
         (into_bulge && distance > self.near && distance.is_finite()).then_some((distance, curve.curvature > 0.0))
     }
