@@ -8,7 +8,7 @@ use crate::geometry::Curve;
 use crate::light::{Power, Wavelength};
 use crate::numerics::{Turn, cross};
 use crate::scene::{Direction, Light, Polarization, Source};
-use crate::system::{Interface, MediumId, PlacedSource, RayStart, SAME, Start, VertexId, rounding};
+use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId, rounding};
 
 /// What rays start among.
 pub(crate) struct Ground<'a> {
@@ -124,7 +124,7 @@ impl Ground<'_> {
         let near = rounding(self.interfaces, self.origin);
         let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
         let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
-        let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first) { second } else { first })?;
+        let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first, near) { second } else { first })?;
         Some((Start::AtVertex(vertex), before.1.medium))
     }
 }
@@ -133,7 +133,7 @@ impl Ground<'_> {
 struct Sector {
     /// Unit direction.
     along: DVec2,
-    /// How far a straight edge goes on; 0 for an arc.
+    /// How far the line or circle goes on: the edge's length, or the diameter.
     length: f64,
     /// Positive where it bends counter-clockwise.
     bend: f64,
@@ -146,7 +146,7 @@ impl Sector {
     /// rounding, is on its left.
     fn turn_to(&self, direction: DVec2, near: f64) -> f64 {
         let (sin, cos) = (cross(self.along, direction), self.along.dot(direction));
-        let is_along = cos > 0.0 && if self.bend == 0.0 { sin.abs() * self.length <= near } else { sin.abs() <= SAME };
+        let is_along = cos > 0.0 && sin.abs() * self.length <= near;
         match (is_along, sin >= 0.0) {
             (true, _) if self.bend > 0.0 => 4.0,
             (true, _) => 0.0,
@@ -157,15 +157,16 @@ impl Sector {
 
     /// Whether it is nearer to a ray than another, each with its turn to it; of two tangent ones that which bends more
     /// towards the ray.
-    fn is_nearer((turn, sector): &(f64, Self), (other_turn, other): &(f64, Self)) -> bool {
-        if (turn - other_turn).abs() <= SAME { sector.bend > other.bend } else { turn < other_turn }
+    fn is_nearer((turn, sector): &(f64, Self), (other_turn, other): &(f64, Self), near: f64) -> bool {
+        let tangent = (turn - other_turn).abs() * sector.length.min(other.length) <= near;
+        if tangent { sector.bend > other.bend } else { turn < other_turn }
     }
 }
 
 /// The ways in which an interface leaves a vertex.
 fn sectors(interface: &Interface, vertex: VertexId) -> Vec<Sector> {
     let Interface { curve, ends, left, right, .. } = interface;
-    let length = if curve.is_straight() { curve.length() } else { 0.0 };
+    let length = if curve.is_straight() { curve.length() } else { 2.0 / curve.curvature.abs() };
     let mut sectors = Vec::new();
     if ends[0] == vertex {
         sectors.push(Sector { along: curve.tangent_at(curve.a), length, bend: curve.curvature, medium: *left });

@@ -9,7 +9,7 @@ use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side};
-use crate::system::{Interface, MediumId, SAME, Start, VertexId};
+use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -181,7 +181,7 @@ impl Probe<'_> {
             return (distance > 0.0).then_some(distance);
         }
         let ahead =
-            opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
+            self.opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
         ahead.then_some(distance.max(0.0))
     }
 
@@ -195,27 +195,28 @@ impl Probe<'_> {
             [start, end] => (start || end).then_some(start),
         }
     }
-}
 
-/// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run on
-/// one line or circle.
-fn opens_to(last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
-    let Curve { a, b, .. } = candidate.curve;
-    let (vertex, other) = if start { (a, b) } else { (b, a) };
-    let turn = if last.curve.is_straight() && candidate.curve.is_straight() {
-        side(last.curve.a, last.curve.b, other)
-    } else {
-        let (along, tangent) = (last.curve.tangent_at(vertex), candidate.curve.tangent_at(vertex));
-        let turn = cross(along, if start { tangent } else { -tangent });
-        // Rounding of two tangents; closer than this they are one, and the stronger curvature decides.
-        if turn.abs() <= SAME { bend(&last.curve, &candidate.curve, along.dot(tangent)) } else { turn }
-    };
-    (turn != 0.0).then_some(turn > 0.0)
+    /// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run
+    /// on one line or circle.
+    fn opens_to(&self, last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
+        let (last, candidate) = (&last.curve, &candidate.curve);
+        let (vertex, other) = if start { (candidate.a, candidate.b) } else { (candidate.b, candidate.a) };
+        let turn = if last.is_straight() && candidate.is_straight() {
+            side(last.a, last.b, other)
+        } else {
+            let (along, tangent) = (last.tangent_at(vertex), candidate.tangent_at(vertex));
+            let turn = cross(along, if start { tangent } else { -tangent });
+            // Tangent up to the rounding of the two: the stronger curvature decides.
+            let length = last.a.distance(last.b).min(candidate.a.distance(candidate.b));
+            if turn.abs() * length <= self.near { bend(last, candidate, along.dot(tangent)) } else { turn }
+        };
+        (turn != 0.0).then_some(turn > 0.0)
+    }
 }
 
 /// Curvature of `candidate` above that of `last` where the two touch, seen along `last`; 0 where they are equal.
 fn bend(last: &Curve, candidate: &Curve, sense: f64) -> f64 {
-    let curvature = candidate.curvature * sense.signum();
-    let bend = curvature - last.curvature;
-    if bend.abs() <= SAME * last.curvature.abs() { 0.0 } else { bend }
+    let bend = candidate.curvature * sense.signum() - last.curvature;
+    // Far above the rounding of a curvature.
+    if bend.abs() <= 1e-12 * last.curvature.abs() { 0.0 } else { bend }
 }
