@@ -3,17 +3,21 @@
 use glam::DVec2;
 
 use crate::compile::arrangement::{lies_on, tolerance};
+use crate::compile::interfaces::is_interface;
 use crate::compile::region::Region;
 use crate::geometry::Curve;
 use crate::light::{Power, Wavelength};
 use crate::numerics::{Turn, cross};
 use crate::scene::{Direction, Light, Polarization, Source};
-use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId, rounding};
+use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId};
 
 /// What rays start among.
 pub(crate) struct Ground<'a> {
     pub(crate) origin: DVec2,
-    pub(crate) interfaces: &'a [Interface],
+    /// Boundaries between equal media too.
+    pub(crate) walls: &'a [Interface],
+    /// Distances below this are rounding.
+    pub(crate) near: f64,
     /// In painter's order.
     pub(crate) regions: &'a [Region],
     pub(crate) surroundings: MediumId,
@@ -80,7 +84,7 @@ impl Ground<'_> {
     fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
         let (start, medium) = self
             .at_vertex(from, direction)
-            .or_else(|| self.on_interface(from, direction))
+            .or_else(|| self.on_wall(from, direction))
             .unwrap_or_else(|| (Start::Free, self.medium_at(from)));
         RayStart { from, direction, medium, start }
     }
@@ -97,10 +101,11 @@ impl Ground<'_> {
         tolerance([from, curve.a, curve.b].map(reach).into_iter().fold(0.0, f64::max))
     }
 
-    fn on_interface(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
-        let holds = |interface: &Interface| lies_on(&interface.curve, from, self.contact(from, &interface.curve));
-        let interface = self.interfaces.iter().position(holds)?;
-        let Interface { curve, left: on_left, right: on_right, .. } = &self.interfaces[interface];
+    fn on_wall(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
+        let holds = |wall: &Interface| lies_on(&wall.curve, from, self.contact(from, &wall.curve));
+        let place = self.walls.iter().position(holds)?;
+        let wall = &self.walls[place];
+        let Interface { curve, left: on_left, right: on_right, .. } = wall;
         let rise = curve.normal_at(from).dot(direction);
         let left = if rise != 0.0 {
             rise > 0.0
@@ -110,21 +115,24 @@ impl Ground<'_> {
         } else {
             curve.curvature < 0.0
         };
-        Some((Start::On { interface, left }, if left { *on_left } else { *on_right }))
+        let interface = self.walls[..place].iter().filter(|wall| is_interface(wall)).count();
+        let start = if is_interface(wall) { Start::On { interface, left } } else { Start::Free };
+        Some((start, if left { *on_left } else { *on_right }))
     }
 
     /// At a vertex the ray starts in the sector it heads into: on the counter-clockwise side of the interface that comes
     /// last before it, turning counter-clockwise.
     fn at_vertex(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
-        let vertex = self.interfaces.iter().find_map(|interface| {
+        let vertex = self.walls.iter().find_map(|interface| {
             let ends = [(interface.curve.a, interface.ends[0]), (interface.curve.b, interface.ends[1])];
             let contact = self.contact(from, &interface.curve);
             ends.into_iter().find(|(p, _)| p.distance(from) <= contact).map(|(_, vertex)| vertex)
         })?;
-        let near = rounding(self.interfaces, self.origin);
-        let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
+        let near = self.near;
+        let sectors = self.walls.iter().flat_map(|interface| sectors(interface, vertex));
         let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
-        let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first, near) { second } else { first })?;
+        let before =
+            turned.reduce(|first, second| if Sector::is_nearer(&second, &first, near) { second } else { first })?;
         Some((Start::AtVertex(vertex), before.1.medium))
     }
 }

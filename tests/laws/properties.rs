@@ -63,7 +63,8 @@ fn order(ray: &TracedRay) {
         assert_eq!(segment.id.index(), k);
         assert_eq!(segment.parent.is_none(), k == 0);
         assert_eq!(segment.parent.is_none(), segment.via == Via::Source);
-        while let Some(last) = open.last().filter(|last| segment.parent.is_some_and(|parent| parent.index() != **last)) {
+        while let Some(last) = open.last().filter(|last| segment.parent.is_some_and(|parent| parent.index() != **last))
+        {
             assert!(*last > 0, "the parent of {k} is closed");
             open.pop();
         }

@@ -225,23 +225,18 @@ fn lens() -> impl Strategy<Value = Shape> {
 
 /// The thickness at which the faces of a lens of diameter 4 meet, somewhat above it, or above 0.
 fn least_thickness(left: f64, right: f64) -> f64 {
-    let sag = |radius: f64| if radius.is_finite() { radius - radius.signum() * (radius * radius - 4.0).sqrt() } else { 0.0 };
+    let sag =
+        |radius: f64| if radius.is_finite() { radius - radius.signum() * (radius * radius - 4.0).sqrt() } else { 0.0 };
     (sag(left) - sag(right)).max(0.0) + 0.05
 }
 
 fn lens_group() -> impl Strategy<Value = Shape> {
     (face(), face(), face(), index(), index()).prop_map(|(first, second, third, n, m)| {
-        let element = |radius, thickness, index: Option<f64>| Element {
-            radius,
-            thickness,
-            medium: index.map(Medium::Index),
-        };
+        let element =
+            |radius, thickness, index: Option<f64>| Element { radius, thickness, medium: index.map(Medium::Index) };
         let (t1, t2) = (0.5 + least_thickness(first, second), 0.5 + least_thickness(second, third));
-        let surfaces = vec![
-            element(first, Some(t1), Some(n)),
-            element(second, Some(t2), Some(m)),
-            element(third, None, None),
-        ];
+        let surfaces =
+            vec![element(first, Some(t1), Some(n)), element(second, Some(t2), Some(m)), element(third, None, None)];
         Shape::LensGroup { diameter: 4.0, surfaces }
     })
 }
