@@ -103,7 +103,9 @@ impl Ground<'_> {
 
     fn on_wall(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
         let holds = |wall: &Interface| lies_on(&wall.curve, from, self.contact(from, &wall.curve));
-        let place = self.walls.iter().position(holds)?;
+        // An interface before a boundary that touches it between equal media.
+        let interface = self.walls.iter().position(|wall| is_interface(wall) && holds(wall));
+        let place = interface.or_else(|| self.walls.iter().position(holds))?;
         let wall = &self.walls[place];
         let Interface { curve, left: on_left, right: on_right, .. } = wall;
         let rise = curve.normal_at(from).dot(direction);

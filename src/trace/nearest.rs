@@ -88,7 +88,9 @@ impl Probe<'_> {
             }
         }
         let turn = cross(self.ray.direction, p - self.ray.from);
-        if turn.abs() > self.near { turn > 0.0 } else { self.leaves_on_the_left(p) }
+        // A free start is as exact as it is given.
+        let is_clear = turn.abs() > self.near || (turn != 0.0 && self.ray.start == Start::Free);
+        if is_clear { turn > 0.0 } else { self.leaves_on_the_left(p) }
     }
 
     /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
@@ -111,11 +113,20 @@ impl Probe<'_> {
     fn edge(&self, candidate: &Interface) -> Met {
         let from_left = self.passes_from_left(candidate)?;
         let Curve { a, b, m, n, .. } = candidate.curve;
-        let along = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
-        let distance = n.dot(m - self.ray.from) / n.dot(self.ray.direction);
-        // An edge along the ray, up to rounding, is met between its ends too.
-        let distance = distance.max(along[0].min(along[1])).min(along[0].max(along[1]));
-        self.ahead(candidate, distance).map(|distance| (distance, from_left))
+        let [a, b] = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
+        let across = n.dot(self.ray.direction);
+        // An edge along the ray, up to rounding, is met at once.
+        let is_along = across.abs() * (a - b).abs() <= self.near;
+        let distance = if is_along { 0.0 } else { n.dot(m - self.ray.from) / across };
+        let distance = distance.max(a.min(b)).min(a.max(b));
+        let ahead = if self.touches_last(candidate) {
+            self.ahead(candidate, distance)?
+        } else {
+            // Ahead if the ray starts on the side that it comes from.
+            let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);
+            (start != 0.0 && (start > 0.0) == from_left).then_some(distance.max(0.0))?
+        };
+        Some((ahead, from_left))
     }
 
     fn arc(&self, candidate: &Interface) -> [Met; 2] {
@@ -177,12 +188,19 @@ impl Probe<'_> {
         let corner = self.last.and_then(|(last, left)| Some((last, left, self.shared_end(last, candidate)?)));
         let Some((last, heads_left, start)) = corner else { return (distance > 0.0).then_some(distance) };
         let both_straight = last.curve.is_straight() && candidate.curve.is_straight();
-        if distance.abs() > self.near && !both_straight {
+        let met = candidate.curve.normal_at(self.ray.from + distance * self.ray.direction);
+        let is_clear = candidate.curve.offset(self.ray.from).abs() > self.near
+            || (distance * met.dot(self.ray.direction)).abs() > self.near;
+        if is_clear && !both_straight {
             return (distance > 0.0).then_some(distance);
         }
         let ahead =
             self.opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
         ahead.then_some(distance.max(0.0))
+    }
+
+    fn touches_last(&self, candidate: &Interface) -> bool {
+        self.last.is_some_and(|(last, _)| self.shared_end(last, candidate).is_some())
     }
 
     /// Whether the end that a candidate shares with the interface the ray stands on is its start; of two such ends the
