@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::laws::{Refraction, fresnel, reflect, refract, thin_lens};
+use crate::laws::{Incidence, Refraction, fresnel, reflect, refract, thin_lens};
 use crate::light::Power;
 use crate::scene::SecondaryRays;
 use crate::system::{Action, Interface};
@@ -85,12 +85,13 @@ impl Arrival<'_> {
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
-        let height = (self.at - center).dot(self.normal.perp());
+        let Incidence { tangent, .. } = Incidence::new(self.direction, self.normal);
+        let height = (self.at - center).dot(tangent);
         let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
         let hit = Hit {
             n_t: Some(self.n_t),
             cos_t: Some(-self.normal.dot(direction)),
-            sin_t: Some(self.normal.perp().dot(direction)),
+            sin_t: Some(tangent.dot(direction)),
             transmittance: Power::both(1.0),
             ..self.bare_hit()
         };
@@ -98,14 +99,14 @@ impl Arrival<'_> {
     }
 
     fn bare_hit(&self) -> Hit {
-        let (v, n) = (self.direction, self.normal);
+        let Incidence { cos: cos_i, sin: sin_i, .. } = Incidence::new(self.direction, self.normal);
         Hit {
             body: self.interface.body,
-            normal: n,
+            normal: self.normal,
             n_i: self.n_i,
             n_t: None,
-            cos_i: (-n.dot(v)).max(0.0),
-            sin_i: n.perp().dot(v),
+            cos_i,
+            sin_i,
             cos_t: None,
             sin_t: None,
             reflectance: Power::default(),
