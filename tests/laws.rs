@@ -5,14 +5,24 @@
 
 mod support;
 
+#[path = "laws/endings.rs"]
+mod endings;
 #[path = "laws/leaks.rs"]
 mod leaks;
 #[path = "laws/oracle.rs"]
 mod oracle;
+#[path = "laws/overlaps.rs"]
+mod overlaps;
 #[path = "laws/properties.rs"]
 mod properties;
 #[path = "laws/scenes.rs"]
 mod scenes;
+#[path = "laws/sources.rs"]
+mod sources;
+#[path = "laws/surfaces.rs"]
+mod surfaces;
+#[path = "laws/symmetries.rs"]
+mod symmetries;
 
 use proptest::test_runner::{Config, RngSeed};
 

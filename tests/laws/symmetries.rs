@@ -1,0 +1,120 @@
+//! The same scene elsewhere, larger, turned or in a mirror gives the same light.
+
+use glam::DVec2;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use snellius::Scene;
+use snellius::scene::{Body, Direction, Light, Medium, Shape, Substance};
+use snellius::trace::Trace;
+
+use crate::config;
+use crate::scenes::{body, settings, towards};
+use crate::support::run_scene;
+
+/// Glass triangles, rectangles and disks at whole coordinates, and rays aimed at whole coordinates; off the lattice's
+/// corners by an odd offset, so that no ray runs through a vertex by construction.
+fn whole_scenes() -> impl Strategy<Value = Scene> {
+    let point = || (-40..40_i32, -40..40_i32).prop_map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+    let triangle = (point(), point(), point())
+        .prop_filter("on a line", |(a, b, c)| (*b - *a).perp_dot(*c - *a).abs() > 4.0)
+        .prop_map(|(a, b, c)| Shape::Polygon(vec![a, b, c]));
+    let rectangle = (1..20_i32, 1..20_i32)
+        .prop_map(|(w, h)| Shape::Rectangle { width: 2.0 * f64::from(w), height: 2.0 * f64::from(h) });
+    let disk = (0..5_i32).prop_map(|k| Shape::Disk { radius: [1.0, 2.0, 4.0, 8.0, 16.0][usize::try_from(k).unwrap()] });
+    let filled = (prop_oneof![triangle, rectangle, disk], point(), 1.0..2.0)
+        .prop_map(|(shape, at, n)| Body { at, ..body(shape, Substance::Medium(Medium::Index(n))) });
+    let rays = vec((point(), point()).prop_filter("no direction", |(a, b)| a != b), 1..6);
+    (vec(filled, 1..4), rays).prop_map(|(bodies, rays)| {
+        let sources = rays.into_iter().map(|(from, to)| towards(from, to)).collect();
+        Scene { bodies, sources, trace: settings(6), ..Scene::default() }
+    })
+}
+
+/// The scene with every point and length mapped; for shapes of [`whole_scenes`].
+fn mapped(scene: &Scene, point: impl Fn(DVec2) -> DVec2, vector: impl Fn(DVec2) -> DVec2, scale: f64) -> Scene {
+    let bodies = scene.bodies.iter().map(|body| {
+        let shape = match &body.shape {
+            Shape::Polygon(points) => Shape::Polygon(points.iter().map(|p| vector(*p)).collect()),
+            Shape::Rectangle { width, height } => Shape::Rectangle { width: scale * width, height: scale * height },
+            Shape::Disk { radius } => Shape::Disk { radius: scale * radius },
+            other => other.clone(),
+        };
+        Body { shape, at: point(body.at), ..body.clone() }
+    });
+    let sources = scene.sources.iter().map(|source| {
+        let Light::Ray { from, direction: Direction::Towards(to) } = source.light else { return source.clone() };
+        towards(point(from), point(to))
+    });
+    Scene { bodies: bodies.collect(), sources: sources.collect(), ..scene.clone() }
+}
+
+/// What does not depend on where and how large a scene is.
+fn light(trace: &Trace) -> Vec<(String, DVec2, f64, Option<(usize, f64, f64)>)> {
+    let rays = trace.tree.rays.iter();
+    let segments = rays.flat_map(|ray| ray.segments.iter().map(move |s| (ray.address(s.id), s)));
+    segments
+        .map(|(address, s)| {
+            let hit = s.hit.map(|hit| (hit.body, hit.cos_i, hit.sin_i));
+            (format!("{address} {}", s.ending.word()), s.direction, s.power.total(), hit)
+        })
+        .collect()
+}
+
+/// Whether a segment comes within rounding of a vertex, where a tie decides.
+fn meets_a_vertex(scene: &Scene) -> bool {
+    let run = run_scene(scene.clone());
+    let ends: Vec<_> =
+        run.system.interfaces().iter().flat_map(|i| [i.curve.a, i.curve.b]).map(|p| p + run.system.origin()).collect();
+    run.trace.tree.rays.iter().flat_map(|ray| &ray.segments).any(|s| {
+        ends.iter().any(|p| (*p - s.from).perp_dot(s.direction).abs() < 1e-9)
+            || ends.iter().any(|p| p.distance(s.from) < 1e-9)
+    })
+}
+
+proptest! {
+    #![proptest_config(config(400))]
+
+    #[test]
+    fn moving_by_powers_of_two_changes_no_bit(scene in whole_scenes()) {
+        prop_assume!(!meets_a_vertex(&scene));
+        let shift = DVec2::new(1_048_576.0, -262_144.0);
+        let moved = run_scene(mapped(&scene, |p| p + shift, |p| p, 1.0));
+        prop_assert_eq!(light(&run_scene(scene).trace), light(&moved.trace));
+    }
+
+    #[test]
+    fn scaling_by_a_power_of_two_changes_no_bit(scene in whole_scenes(), exponent in prop_oneof![Just(-20), -40..40_i32]) {
+        let scale = if exponent < 0 { 0.5_f64 } else { 2.0 };
+        let scale = (0..exponent.abs()).fold(1.0, |product, _| product * scale);
+        let scaled = run_scene(mapped(&scene, |p| scale * p, |p| scale * p, scale));
+        prop_assert_eq!(light(&run_scene(scene).trace), light(&scaled.trace));
+    }
+
+    #[test]
+    fn a_mirror_image_gives_mirrored_light(scene in whole_scenes()) {
+        prop_assume!(!meets_a_vertex(&scene));
+        let flip = |p: DVec2| DVec2::new(-p.x, p.y);
+        let image = run_scene(mapped(&scene, flip, flip, 1.0));
+        agree(&light(&run_scene(scene).trace), &light(&image.trace), flip)?;
+    }
+
+    #[test]
+    fn a_quarter_turn_turns_the_light(scene in whole_scenes()) {
+        prop_assume!(!meets_a_vertex(&scene));
+        let mut turned = mapped(&scene, DVec2::perp, |p| p, 1.0);
+        turned.bodies.iter_mut().for_each(|body| body.rotate = 90.0);
+        agree(&light(&run_scene(scene).trace), &light(&run_scene(turned).trace), DVec2::perp)?;
+    }
+}
+
+type Light_ = (String, DVec2, f64, Option<(usize, f64, f64)>);
+
+/// The same tree, with directions that differ by rounding.
+fn agree(scene: &[Light_], image: &[Light_], map: impl Fn(DVec2) -> DVec2) -> Result<(), TestCaseError> {
+    prop_assert_eq!(scene.len(), image.len());
+    for (a, b) in scene.iter().zip(image) {
+        prop_assert_eq!(&a.0, &b.0);
+        prop_assert!(map(a.1).distance(b.1) <= 1e-10, "{:?} {:?}", a, b);
+    }
+    Ok(())
+}
