@@ -1,15 +1,9 @@
-//! Refractive index against wavelength.
+//! Refractive index against wavelength: dispersion formulas with their ranges, and a catalog of media as data.
 
-use crate::light::Wavelength;
+pub mod catalog;
+mod dispersion;
+mod error;
+mod formula;
 
-/// Placeholder until the catalog stands.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Dispersion(f64);
-
-impl Dispersion {
-    /// Index at a wavelength.
-    #[must_use]
-    pub fn index(&self, _: Wavelength) -> f64 {
-        self.0
-    }
-}
+pub use dispersion::Dispersion;
+pub use error::MediumError;

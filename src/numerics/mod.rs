@@ -6,4 +6,4 @@ mod trig;
 
 pub use cross::cross;
 pub use sum::Sum;
-pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, tan_degrees};
+pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, pow, tan_degrees};

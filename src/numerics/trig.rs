@@ -82,6 +82,12 @@ pub fn exp(x: f64) -> f64 {
     libm::exp(x)
 }
 
+/// `x` to the power `y`; NaN for negative `x` unless `y` is whole.
+#[must_use]
+pub fn pow(x: f64, y: f64) -> f64 {
+    libm::pow(x, y)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,0 +1,27 @@
+//! The angle of incidence without angles: Glassner (ed.), "An Introduction to Ray Tracing", 1989, section 2; the sine as
+//! a cross product is the planar case of |N × V|.
+
+use glam::DVec2;
+
+use crate::numerics::cross;
+
+/// A ray's direction V taken apart at a boundary: V = sin·τ − cos·N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incidence {
+    /// Cosine C1 = −N·V of the angle of incidence, 0 to 1. Below 0, where N does not oppose V, it is taken as 0.
+    pub cos: f64,
+    /// Sine S1 of the angle of incidence, −1 to 1: positive where V turns counter-clockwise from −N.
+    pub sin: f64,
+    /// Unit tangent τ of the boundary: −N turned counter-clockwise by 90°.
+    pub tangent: DVec2,
+}
+
+impl Incidence {
+    /// Takes the unit direction `v` apart along the unit normal `n` against it.
+    ///
+    /// The sine is relatively accurate down to normal incidence, where it is the difference of nearly equal products.
+    #[must_use]
+    pub fn new(v: DVec2, n: DVec2) -> Self {
+        Self { cos: (-n.dot(v)).clamp(0.0, 1.0), sin: cross(v, n).clamp(-1.0, 1.0), tangent: -n.perp() }
+    }
+}

@@ -1,0 +1,30 @@
+//! Law of reflection: Hecht, "Optics", 5th ed., section 4.3.1; vector form R = V + 2 C1 N, Glassner (ed.),
+//! "An Introduction to Ray Tracing", 1989, section 2.
+
+use glam::DVec2;
+
+use super::{Incidence, renormalized};
+
+/// The reflected unit direction R = V + 2 C1 N for unit `v` and unit normal `n` against it.
+///
+/// Computed by components: V = S1 τ − C1 N turns into R = S1 τ + C1 N. At grazing incidence (C1 = 0) R is V, along the
+/// boundary.
+#[must_use]
+pub fn reflect(v: DVec2, n: DVec2) -> DVec2 {
+    let Incidence { cos, sin, tangent } = Incidence::new(v, n);
+    renormalized(sin * tangent + cos * n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn right_angles_are_exact() {
+        let n = DVec2::new(-1.0, 0.0);
+        assert_eq!(reflect(DVec2::X, n), -DVec2::X);
+        assert_eq!(reflect(DVec2::Y, n), DVec2::Y);
+        let v = DVec2::new(0.6, -0.8);
+        assert!((reflect(v, DVec2::Y) - DVec2::new(0.6, 0.8)).length() < 2e-16);
+    }
+}

@@ -1,0 +1,146 @@
+//! Snell's law, n_i sin θ_i = n_t sin θ_t: Hecht, "Optics", 5th ed., section 4.4.1, equation 4.4; Born & Wolf, "Principles
+//! of Optics", 7th ed., section 1.5.1. Vector form T = V/η + (C1/η − C2) N as lecture notes derive it from V, N and
+//! S2 η = S1. Module [`laws`](super) says why the kernel uses components instead.
+
+use glam::DVec2;
+
+use super::{Incidence, relative_index, renormalized};
+
+/// What the boundary lets through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refraction {
+    /// A transmitted ray, n_i S1 = n_t S2.
+    Refracted {
+        /// Unit direction T of the transmitted ray.
+        direction: DVec2,
+        /// Cosine C1 of the angle of incidence, 0 to 1.
+        cos_i: f64,
+        /// Sine S1 of the angle of incidence, signed: positive where V turns counter-clockwise from −N.
+        sin_i: f64,
+        /// Cosine C2 of the angle of transmission, above 0 (at least 0 between equal indices).
+        cos_t: f64,
+        /// Sine S2 of the angle of transmission, signed as S1.
+        sin_t: f64,
+    },
+    /// Nothing is transmitted: 1 − (1 − C1²)/η² ≤ 0. At exactly 0 the transmitted ray would run along the boundary and
+    /// carry nothing.
+    TotalInternalReflection {
+        /// Cosine C1 of the angle of incidence, 0 to 1.
+        cos_i: f64,
+        /// Sine S1 of the angle of incidence, signed as above.
+        sin_i: f64,
+    },
+}
+
+impl Refraction {
+    /// Cosine C1 of the angle of incidence, 0 to 1.
+    #[must_use]
+    pub fn cos_i(&self) -> f64 {
+        match *self {
+            Self::Refracted { cos_i, .. } | Self::TotalInternalReflection { cos_i, .. } => cos_i,
+        }
+    }
+
+    /// Sine S1 of the angle of incidence, signed: positive where V turns counter-clockwise from −N.
+    #[must_use]
+    pub fn sin_i(&self) -> f64 {
+        match *self {
+            Self::Refracted { sin_i, .. } | Self::TotalInternalReflection { sin_i, .. } => sin_i,
+        }
+    }
+
+    /// Unit direction of the transmitted ray; `None` at total internal reflection.
+    #[must_use]
+    pub fn direction(&self) -> Option<DVec2> {
+        match *self {
+            Self::Refracted { direction, .. } => Some(direction),
+            Self::TotalInternalReflection { .. } => None,
+        }
+    }
+}
+
+/// Refracts the unit direction `v` at a boundary with unit normal `n` against it (N·V < 0), from absolute index `n_i`
+/// into `n_t`, both at least 1.
+///
+/// Equal indices return `v` itself, bit for bit, at every angle. At grazing incidence (C1 = 0) into a denser medium the
+/// ray is refracted at the critical angle of the way back. Into a thinner medium the verdict is
+/// (n_t − |k|)(n_t + |k|) ≤ 0 with k = n_i S1.
+#[must_use]
+pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
+    let Incidence { cos: cos_i, sin: sin_i, tangent } = Incidence::new(v, n);
+    // The same medium on both sides: no boundary at all.
+    #[expect(clippy::float_cmp, reason = "only the very same index is no boundary")]
+    if n_i == n_t {
+        return Refraction::Refracted { direction: v, cos_i, sin_i, cos_t: cos_i, sin_t: sin_i };
+    }
+    // The tangential component of n V, the same on both sides.
+    let k = n_i * sin_i;
+    let discriminant = (n_t - k.abs()) * (n_t + k.abs());
+    if discriminant <= 0.0 {
+        return Refraction::TotalInternalReflection { cos_i, sin_i };
+    }
+    let (cos_t, sin_t) = (discriminant.sqrt() / n_t, k / n_t);
+    Refraction::Refracted { direction: renormalized(sin_t * tangent - cos_t * n), cos_i, sin_i, cos_t, sin_t }
+}
+
+/// The transmitted direction as lecture notes write it, T = V/η + (C1/η − C2) N with C2 = √(1 + (C1² − 1)/η²), η = n_t/n_i;
+/// `None` where the radicand is 0 or below: total internal reflection.
+///
+/// For teaching and for holding [`refract`] against: it loses digits toward normal incidence and toward the critical
+/// angle.
+#[must_use]
+pub fn refract_by_notes(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Option<DVec2> {
+    let eta = relative_index(n_i, n_t);
+    let c1 = -n.dot(v);
+    let radicand = 1.0 + (c1 * c1 - 1.0) / (eta * eta);
+    (radicand > 0.0).then(|| v / eta + (c1 / eta - radicand.sqrt()) * n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const N: DVec2 = DVec2::NEG_X;
+
+    #[test]
+    fn the_3_4_5_ray() {
+        // sin θ_i = 4/5 into n = 4/3: sin θ_t = 3/5 exactly.
+        let Refraction::Refracted { direction, cos_i, sin_i, cos_t, sin_t } =
+            refract(DVec2::new(0.6, 0.8), N, 1.0, 4.0 / 3.0)
+        else {
+            panic!("a ray into the denser medium is always transmitted")
+        };
+        assert_eq!((cos_i, sin_i), (0.6, 0.8));
+        assert!((cos_t - 0.8).abs() < 2e-16 && (sin_t - 0.6).abs() < 2e-16);
+        assert!((direction - DVec2::new(0.8, 0.6)).length() < 2e-16);
+    }
+
+    #[test]
+    fn normal_incidence_goes_straight() {
+        assert_eq!(refract(DVec2::X, N, 1.0, 1.5).direction(), Some(DVec2::X));
+        assert_eq!(refract(DVec2::X, N, 1.5, 1.0).direction(), Some(DVec2::X));
+    }
+
+    #[test]
+    fn at_the_critical_angle_nothing_is_transmitted() {
+        // sin θ_i = 3/4 against n_t/n_i = 1.5/2: the discriminant is exactly 0.
+        let (sin, cos) = (0.75, 0.4375_f64.sqrt());
+        let at = refract(DVec2::new(cos, sin), N, 2.0, 1.5);
+        assert_eq!(at, Refraction::TotalInternalReflection { cos_i: cos, sin_i: sin });
+        assert!(refract(DVec2::new(0.67, 0.742_361_098_118_698_7), N, 2.0, 1.5).direction().is_some());
+    }
+
+    #[test]
+    fn equal_indices_change_no_bit() {
+        for v in [DVec2::new(0.6, 0.8), DVec2::Y, DVec2::new(1e-300, 1.0), DVec2::new(0.1, 0.995)] {
+            assert_eq!(refract(v, N, 1.7, 1.7).direction(), Some(v));
+        }
+    }
+
+    #[test]
+    fn a_tiny_angle_keeps_its_digits_where_the_notes_form_has_none() {
+        let v = DVec2::new(1.0, 3e-9);
+        let ours = refract(v, N, 1.0, 1.5).direction().unwrap();
+        assert!((ours.y / 2e-9 - 1.0).abs() < 4e-16);
+    }
+}
