@@ -1,1 +1,187 @@
-//! compile
+//! From a scene to an optical system: outlines placed, overlaps resolved, coincident boundaries merged, coatings laid on,
+//! and the medium on each side of every boundary settled once.
+
+mod arrangement;
+mod gaps;
+mod interfaces;
+mod intersect;
+mod origin;
+mod region;
+mod shapes;
+mod sources;
+
+use glam::DVec2;
+
+use crate::compile::arrangement::{Boundary, arrange};
+use crate::compile::gaps::{Gap, gaps};
+use crate::compile::interfaces::{OutlineRole, Sides};
+use crate::compile::region::Region;
+use crate::compile::sources::{Ground, rays};
+use crate::geometry::{Bounds, Curve, Placement};
+use crate::media::Dispersion;
+use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
+use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody};
+
+/// A compiled scene and what is suspicious about it.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The system, ready to trace.
+    pub system: OpticalSystem,
+    /// Legal things that are probably not meant.
+    pub warnings: Vec<Problem>,
+}
+
+/// Compiles a scene.
+///
+/// # Errors
+///
+/// Every problem of the scene at once, each with its place, what is wrong and what would be right.
+pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
+    let problems = scene.validate();
+    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+        return Err(unplaced(problems));
+    }
+    let mut media = Media::default();
+    let surroundings = media.id(&scene.surroundings).map_err(|problem| unplaced(vec![problem]))?;
+    let mut layout = Layout::default();
+    for (number, body) in scene.bodies.iter().enumerate() {
+        layout.add(number, body, &mut media).map_err(|problem| unplaced(vec![problem]))?;
+    }
+    let origin = origin::origin(bounds(scene, &layout.bodies));
+    let boundaries = layout.boundaries(scene, origin);
+    let regions = layout.regions(&boundaries);
+    let pieces = arrange(&boundaries);
+    let sides = Sides { boundaries: &boundaries, regions: &regions, outlines: &layout.roles, surroundings };
+    let interfaces = sides.interfaces(&pieces);
+    let ground = Ground { origin, interfaces: &interfaces, regions: &regions, surroundings };
+    let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
+    let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
+    let warnings = gaps(&boundaries, &layout.roles).into_iter().map(|gap| gap_warning(scene, gap)).collect();
+    let system = OpticalSystem {
+        origin,
+        dropped: pieces.len() - interfaces.len(),
+        media: media.list,
+        surroundings,
+        screens: (0..scene.bodies.len()).filter(|&k| is_screen(&scene.bodies[k])).collect(),
+        bodies: layout.bodies,
+        sources,
+        settings: scene.trace,
+        title: scene.title.clone(),
+        interfaces,
+    };
+    Ok(Compiled { system, warnings })
+}
+
+/// Problems of a scene whose text is not at hand.
+fn unplaced(problems: Vec<Problem>) -> Problems {
+    Problems::new(problems, String::new(), String::new())
+}
+
+/// The box around all bodies and ray starts, in scene coordinates.
+fn bounds(scene: &Scene, bodies: &[PlacedBody]) -> Bounds {
+    let curves = bodies.iter().flat_map(|body| &body.outlines).flat_map(|outline| &outline.curves);
+    let around_bodies = curves.map(Bounds::from).fold(Bounds::EMPTY, Bounds::union);
+    let starts = scene.sources.iter().flat_map(|source| rays(&source.light, DVec2::ZERO)).map(|(from, _)| from);
+    around_bodies.union(Bounds::of(starts))
+}
+
+fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
+    let name = |k: usize| display_name(&scene.bodies[k], k);
+    Problem::warning(
+        format!("bodies[{}]", gap.later),
+        format!("a gap or sliver of {:.2e} between `{}` and `{}`", gap.width, name(gap.earlier), name(gap.later)),
+        "light cannot tell it from contact (420 nm at 1 unit = 1 mm), but the trace can: let the later body overlap the \
+         earlier one, or let their boundaries coincide",
+    )
+}
+
+/// A body's name, or `#k` for the k-th from 0.
+fn display_name(body: &Body, number: usize) -> String {
+    body.name.clone().unwrap_or_else(|| format!("#{number}"))
+}
+
+/// Media in order of their first use, each once.
+#[derive(Default)]
+struct Media {
+    list: Vec<Dispersion>,
+}
+
+impl Media {
+    fn id(&mut self, medium: &Medium) -> Result<MediumId, Problem> {
+        let dispersion = medium.dispersion()?;
+        let place = self.list.iter().position(|known| *known == dispersion).unwrap_or_else(|| {
+            self.list.push(dispersion);
+            self.list.len() - 1
+        });
+        Ok(MediumId(u32::try_from(place).unwrap_or(u32::MAX)))
+    }
+}
+
+/// The outlines of all bodies, in painter's order.
+#[derive(Default)]
+struct Layout {
+    bodies: Vec<PlacedBody>,
+    roles: Vec<OutlineRole>,
+    media: Vec<Option<MediumId>>,
+}
+
+impl Layout {
+    fn add(&mut self, number: usize, body: &Body, media: &mut Media) -> Result<(), Problem> {
+        let placement = Placement::new(body.rotate, body.at);
+        let mut outlines = Vec::new();
+        for path in shapes::outlines(&body.shape) {
+            let (medium, surface) = match (&body.substance, &path.medium) {
+                (Substance::Surface(surface), _) => (None, Some(*surface)),
+                (Substance::Medium(medium), _) | (Substance::Elements, Some(medium)) => (Some(media.id(medium)?), None),
+                (Substance::Elements, None) => (None, None),
+            };
+            self.roles.push(OutlineRole { body: number, surface });
+            self.media.push(medium);
+            let curves = path.curves.iter().map(|curve| placement.curve(curve)).collect();
+            outlines.push(Outline { curves, closed: path.closed, medium });
+        }
+        self.bodies.push(PlacedBody { name: display_name(body, number), outlines });
+        Ok(())
+    }
+
+    /// Every curve relative to the origin, an arc of more than half a circle as two.
+    fn boundaries(&self, scene: &Scene, origin: DVec2) -> Vec<Boundary> {
+        let mut boundaries = Vec::new();
+        let mut outline = 0;
+        for (body, placed) in scene.bodies.iter().zip(&self.bodies) {
+            // Placed anew: moving straight to the relative place rounds once, and less.
+            let placement = Placement::new(body.rotate, body.at - origin);
+            let mut first = None;
+            for (path, in_scene) in shapes::outlines(&body.shape).iter().zip(&placed.outlines) {
+                let curves: Vec<_> = path.curves.iter().map(|curve| placement.curve(curve)).collect();
+                let reaches = in_scene.curves.iter().map(|curve| Bounds::from(curve).reach());
+                let start = curves.first().map_or(DVec2::ZERO, |curve| curve.a);
+                let mut along = first.get_or_insert(start).distance(start);
+                for (curve, reach) in curves.iter().zip(reaches) {
+                    for part in parts(curve) {
+                        boundaries.push(Boundary { curve: part, reach, outline, along });
+                        along += part.length();
+                    }
+                }
+                outline += 1;
+            }
+        }
+        boundaries
+    }
+
+    fn regions(&self, boundaries: &[Boundary]) -> Vec<Region> {
+        let mut regions = Vec::new();
+        for of_outline in boundaries.chunk_by(|a, b| a.outline == b.outline) {
+            let outline = of_outline[0].outline;
+            if let Some(medium) = self.media[outline] {
+                regions.push(Region::new(outline, medium, of_outline.iter().map(|b| b.curve).collect()));
+            }
+        }
+        regions
+    }
+}
+
+/// A curve as arcs of at most half a circle.
+fn parts(curve: &Curve) -> Vec<Curve> {
+    if curve.spans_more_than_half() { curve.halves().to_vec() } else { vec![*curve] }
+}

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use crate::numerics::{atan, cross};
+use crate::numerics::{atan, cross, sin};
 
 /// A directed straight edge or circular arc from `a` to `b`.
 ///
@@ -65,35 +65,29 @@ impl Curve {
         self.m + self.n / self.curvature
     }
 
-    /// The point halfway along. An arc must not exceed half a circle unless `m` is its apex, which it then returns.
+    /// A point on the curve halfway along. An arc of more than half a circle must have its apex at `m`.
     #[must_use]
     pub fn midpoint(&self) -> DVec2 {
-        let middle = 0.5 * (self.a + self.b);
+        let (chord, middle) = (self.b - self.a, 0.5 * (self.a + self.b));
         if self.is_straight() {
             return middle;
         }
-        let chord = self.b - self.a;
         if self.spans_more_than_half() {
             return self.m;
         }
         let bent = 0.5 * chord.length() * self.curvature;
         let sagitta_per_half_chord = bent / (1.0 + (1.0 - bent * bent).max(0.0).sqrt());
-        middle - 0.5 * sagitta_per_half_chord * chord.perp()
+        self.project(middle - 0.5 * sagitta_per_half_chord * chord.perp())
     }
 
     /// Whether an arc goes more than half way round its circle; `m` is then its apex.
     #[must_use]
     pub fn spans_more_than_half(&self) -> bool {
-        !self.is_straight() && {
-            let to_apex = (self.m - 0.5 * (self.a + self.b)).length();
-            // The apex of a larger arc stands higher over the chord than half of it.
-            2.0 * to_apex > (self.b - self.a).length() * (1.0 + 1e-12) && self.has_apex_between()
-        }
-    }
-
-    fn has_apex_between(&self) -> bool {
-        let (da, db) = ((self.m - self.a).length(), (self.m - self.b).length());
-        (da - db).abs() <= 1e-6 * (da + db)
+        let (to_a, to_b) = (self.m.distance(self.a), self.m.distance(self.b));
+        let apex_between = (to_a - to_b).abs() <= 1e-6 * (to_a + to_b);
+        // The apex of a larger arc stands higher over the chord than half of it.
+        let height = self.m.distance(0.5 * (self.a + self.b));
+        !self.is_straight() && apex_between && 2.0 * height > self.a.distance(self.b) * (1.0 + 1e-12)
     }
 
     /// Unit normal to the left of the direction of travel at a point on the curve.
@@ -133,20 +127,62 @@ impl Curve {
         (p - self.a).dot(self.b - self.a)
     }
 
+    /// Whether a point lies strictly on the side of the chord to which the arc bulges; of the circle's own points these
+    /// are the arc's. Always false for an edge.
+    #[must_use]
+    pub fn bulge_holds(&self, p: DVec2) -> bool {
+        // An arc that turns left bulges to the right of its chord.
+        cross(self.b - self.a, p - self.a) * self.curvature < 0.0
+    }
+
+    /// Whether a point lies strictly between the arc and its chord; false for an edge.
+    #[must_use]
+    pub fn segment_holds(&self, p: DVec2) -> bool {
+        self.bulge_holds(p) && self.offset(p) * self.curvature > 0.0
+    }
+
+    /// Whether two curves are parts of one line or circle, bit for bit.
+    #[must_use]
+    pub fn same_circle(&self, other: &Self) -> bool {
+        !self.is_straight()
+            && self.m == other.m
+            && self.n == other.n
+            && self.curvature.to_bits() == other.curvature.to_bits()
+    }
+
     /// Length of the curve from `a` to `b`.
     #[must_use]
     pub fn length(&self) -> f64 {
-        let chord = (self.b - self.a).length();
-        if self.is_straight() { chord } else { self.arc_length(self.midpoint()) }
+        if self.is_straight() { self.a.distance(self.b) } else { self.central_angle() / self.curvature.abs() }
     }
 
-    /// Length along an arc whose middle is known: 2 r φ/2 with tan(φ/4) = sagitta / half chord.
-    fn arc_length(&self, middle: DVec2) -> f64 {
-        let half_chord = 0.5 * (self.b - self.a).length();
-        let sagitta = (middle - 0.5 * (self.a + self.b)).length();
-        let quarter = atan(sagitta / half_chord);
-        // r = half chord / sin(φ/2); for tiny angles this is 2 half_chord (1 + …), which the quotient keeps.
-        4.0 * quarter / self.curvature.abs()
+    /// Length along the curve from `a` to a point on it.
+    #[must_use]
+    pub fn length_to(&self, p: DVec2) -> f64 {
+        if p == self.a { 0.0 } else { Self { b: p, ..*self }.length() }
+    }
+
+    /// Area between an arc and its chord, positive when the arc turns left; 0 for an edge.
+    #[must_use]
+    pub fn segment_area(&self) -> f64 {
+        if self.is_straight() {
+            return 0.0;
+        }
+        let angle = self.central_angle();
+        let square = angle * angle;
+        // φ − sin φ cancels for a flat arc; its series does not.
+        let difference = if angle < 0.25 {
+            angle * square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0)))
+        } else {
+            angle - sin(angle)
+        };
+        0.5 * difference / (self.curvature * self.curvature.abs())
+    }
+
+    /// Central angle of an arc in radians: φ = 4 atan(sagitta / half chord).
+    fn central_angle(&self) -> f64 {
+        let sagitta = self.midpoint().distance(0.5 * (self.a + self.b));
+        4.0 * atan(2.0 * sagitta / self.a.distance(self.b))
     }
 
     /// The two halves, each with the same line or circle.

@@ -1,9 +1,11 @@
 //! Arithmetic without optics: trigonometry with the same bits on every machine, products that do not cancel, sums that close.
 
 mod cross;
+mod predicates;
 mod sum;
 mod trig;
 
 pub use cross::cross;
+pub use predicates::side;
 pub use sum::Sum;
-pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, pow, tan_degrees};
+pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, pow, sin, tan_degrees};

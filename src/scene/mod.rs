@@ -1,8 +1,16 @@
 //! What a scene file says: bodies, sources, how to trace and what to draw, with every problem in it found and placed.
 
 mod body;
+mod check;
+mod color;
 mod diagram;
+mod limits;
+mod listing;
 mod medium;
+mod names;
+mod places;
+mod problem;
+mod read;
 mod source;
 mod tracing;
 
@@ -10,7 +18,12 @@ use glam::DVec2;
 
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
+pub use limits::MAX_TEXT_BYTES;
+pub use listing::render_problems;
 pub use medium::Medium;
+pub use places::Places;
+pub use problem::{Problem, Problems, Severity};
+pub use read::{Loaded, load};
 pub use source::{Direction, Light, Polarization, Source, Spectrum};
 pub use tracing::{SecondaryRays, TraceSettings};
 

@@ -93,6 +93,13 @@ pub enum Polarization {
     P,
 }
 
+impl Default for Spectrum {
+    /// The yellow helium d line.
+    fn default() -> Self {
+        Self::Line(587.5618)
+    }
+}
+
 impl Spectrum {
     /// The lines in order, in nanometres.
     #[must_use]

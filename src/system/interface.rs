@@ -6,6 +6,13 @@ use crate::geometry::Curve;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct MediumId(pub(crate) u32);
 
+impl MediumId {
+    /// Its place in the system's list.
+    pub(crate) fn place(self) -> usize {
+        self.0 as usize
+    }
+}
+
 /// A point shared by every interface that ends there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct VertexId(pub(crate) u32);

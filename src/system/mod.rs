@@ -24,7 +24,10 @@ pub struct OpticalSystem {
     pub(crate) surroundings: MediumId,
     pub(crate) bodies: Vec<PlacedBody>,
     pub(crate) sources: Vec<PlacedSource>,
+    /// Bodies that record what lands on them.
+    pub(crate) screens: Vec<usize>,
     pub(crate) settings: TraceSettings,
+    pub(crate) dropped: usize,
     pub(crate) title: String,
 }
 
@@ -65,10 +68,16 @@ impl OpticalSystem {
         &self.title
     }
 
+    /// Pieces of boundary that are no interfaces, since the medium is the same on both sides.
+    #[must_use]
+    pub fn dropped_boundaries(&self) -> usize {
+        self.dropped
+    }
+
     /// Refractive index of a medium at a vacuum wavelength, at least 1.
     #[must_use]
     pub fn index(&self, medium: MediumId, wavelength: Wavelength) -> f64 {
-        self.media[medium.0 as usize].index(wavelength)
+        self.media[medium.place()].index(wavelength)
     }
 
     /// Every wavelength that some source emits, ascending, each once.

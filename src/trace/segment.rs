@@ -1,7 +1,8 @@
 use glam::DVec2;
 
+use crate::laws::critical_angle;
 use crate::light::{Power, Wavelength};
-use crate::numerics::{acos_degrees, asin_degrees, atan2_degrees};
+use crate::numerics::atan2_degrees;
 
 /// All rays of a scene with their branches.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -121,6 +122,8 @@ pub struct Hit {
     pub reflectance: Power,
     /// Transmitted fractions applied, by polarization.
     pub transmittance: Power,
+    /// Fraction that stays at the hit, 0 to 1, alike for both polarizations.
+    pub absorptance: f64,
     /// Whether the light was totally reflected.
     pub total_internal_reflection: bool,
     /// On a screen, the distance along it from its first point, scene units.
@@ -143,14 +146,7 @@ impl Hit {
     /// Critical angle in degrees, where n_i > n_t.
     #[must_use]
     pub fn critical_degrees(&self) -> Option<f64> {
-        let n_t = self.n_t.filter(|n_t| self.n_i > *n_t)?;
-        let ratio = n_t / self.n_i;
-        // Near 90° the arc sine loses half its digits; the arc cosine of √((1 − r)(1 + r)) keeps them.
-        Some(if ratio < 0.75 {
-            asin_degrees(ratio)
-        } else {
-            acos_degrees((((self.n_i - n_t) / self.n_i) * (1.0 + ratio)).sqrt().min(1.0))
-        })
+        critical_angle(self.n_i, self.n_t?)
     }
 
     /// Share of this segment's power that is reflected, 0 to 1.

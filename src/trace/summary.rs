@@ -1,6 +1,7 @@
 use crate::light::Wavelength;
 use crate::numerics::Sum;
-use crate::trace::{Ending, Segment, SegmentId, TracedRay};
+use crate::system::OpticalSystem;
+use crate::trace::{Ending, Segment, SegmentId, TracedRay, Visitor};
 
 /// What became of all the light: counts, powers and screens, without the tree.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -60,6 +61,12 @@ pub struct ScreenHit {
     pub power: f64,
 }
 
+impl Visitor for Summary {
+    fn segment(&mut self, ray: &TracedRay, segment: Segment) {
+        self.count(ray, &segment);
+    }
+}
+
 impl PowerBalance {
     /// Emitted power less all the others: 0 up to rounding.
     #[must_use]
@@ -75,15 +82,20 @@ impl PowerBalance {
 }
 
 impl Summary {
-    /// Counts one segment of a ray.
-    pub(crate) fn record(&mut self, ray: &TracedRay, segment: &Segment) {
+    /// No light yet, and a record for every screen of the system.
+    #[must_use]
+    pub fn new(system: &OpticalSystem) -> Self {
+        let screens = system.screens.iter().map(|&body| ScreenRecord { body, hits: Vec::new() }).collect();
+        Self { screens, ..Self::default() }
+    }
+
+    fn count(&mut self, ray: &TracedRay, segment: &Segment) {
         self.segments += 1;
         let power = segment.power.total();
         if segment.parent.is_none() {
             self.rays += 1;
             self.balance.emitted.add(power);
         }
-        let share = |hit: Option<f64>| hit.map_or(0.0, |share| power * share);
         match segment.ending {
             Ending::Escaped => self.balance.escaped.add(power),
             Ending::CutMinPower => self.balance.cut_min_power.add(power),
@@ -92,10 +104,7 @@ impl Summary {
             Ending::Detected => self.detect(ray, segment, power),
             Ending::Absorbed => self.balance.absorbed.add(power),
             Ending::Interface => {
-                let kept = segment
-                    .hit
-                    .map(|hit| 1.0 - hit.reflected_share(segment.power) - hit.transmitted_share(segment.power));
-                self.balance.absorbed.add(share(kept));
+                self.balance.absorbed.add(power * segment.hit.map_or(0.0, |hit| hit.absorptance));
             }
         }
     }

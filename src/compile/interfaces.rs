@@ -1,0 +1,81 @@
+//! From the arrangement's pieces to interfaces: the medium on each side, and what acts there.
+
+use std::collections::BTreeMap;
+
+use crate::compile::arrangement::{Boundary, Member, Piece};
+use crate::compile::region::Region;
+use crate::scene::Surface;
+use crate::system::{Action, Interface, MediumId, VertexId};
+
+/// What the interfaces of a scene are made from.
+pub(crate) struct Sides<'a> {
+    pub(crate) boundaries: &'a [Boundary],
+    /// In painter's order.
+    pub(crate) regions: &'a [Region],
+    pub(crate) outlines: &'a [OutlineRole],
+    pub(crate) surroundings: MediumId,
+}
+
+/// What an outline is there for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OutlineRole {
+    pub(crate) body: usize,
+    /// What its boundary does; `None` where it is filled with a medium.
+    pub(crate) surface: Option<Surface>,
+}
+
+impl Sides<'_> {
+    /// The pieces at which light changes; a piece between equal media that carries no surface is none.
+    pub(crate) fn interfaces(&self, pieces: &[Piece]) -> Vec<Interface> {
+        let mut vertices = BTreeMap::new();
+        let mut vertex = |point: usize| {
+            let next = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+            VertexId(*vertices.entry(point).or_insert(next))
+        };
+        let changes = pieces.iter().filter_map(|piece| Some((piece, self.interface(piece)?)));
+        changes.map(|(piece, interface)| Interface { ends: piece.ends.map(&mut vertex), ..interface }).collect()
+    }
+
+    fn interface(&self, piece: &Piece) -> Option<Interface> {
+        let (left, right) = (self.medium_beside(piece, true), self.medium_beside(piece, false));
+        let surface = piece.members.iter().rev().find_map(|member| Some((member, self.surface_of(member)?)));
+        let (action, body) = match surface {
+            Some((member, surface)) => (self.action(surface, member, piece), self.role(member).body),
+            None if left == right => return None,
+            None => (Action::Refract, piece.members.iter().map(|member| self.role(member).body).max()?),
+        };
+        Some(Interface { curve: piece.curve, ends: [VertexId(0); 2], left, right, action, body })
+    }
+
+    /// The medium of the last region that holds the piece's left (or right) side.
+    fn medium_beside(&self, piece: &Piece, left: bool) -> MediumId {
+        let middle = piece.curve.midpoint();
+        let holds = |region: &&Region| {
+            let own = piece.members.iter().find(|member| self.boundaries[member.boundary].outline == region.outline);
+            own.map_or_else(|| region.contains(middle), |member| (region.inside_left == member.forward) == left)
+        };
+        self.regions.iter().rev().find(holds).map_or(self.surroundings, |region| region.medium)
+    }
+
+    fn role(&self, member: &Member) -> OutlineRole {
+        self.outlines[self.boundaries[member.boundary].outline]
+    }
+
+    fn surface_of(&self, member: &Member) -> Option<Surface> {
+        self.role(member).surface
+    }
+
+    fn action(&self, surface: Surface, member: &Member, piece: &Piece) -> Action {
+        let boundary = &self.boundaries[member.boundary];
+        match surface {
+            Surface::Mirror => Action::Mirror,
+            Surface::Absorber => Action::Absorb,
+            Surface::Screen => Action::Detect {
+                along: boundary.along + boundary.curve.length_to(piece.curve.a),
+                sense: if member.forward { 1.0 } else { -1.0 },
+            },
+            Surface::BeamSplitter { reflect, transmit } => Action::Split { reflect, transmit },
+            Surface::ThinLens { focal_length } => Action::ThinLens { center: boundary.curve.midpoint(), focal_length },
+        }
+    }
+}

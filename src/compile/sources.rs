@@ -1,0 +1,145 @@
+//! The rays of sources: where each starts, where it heads, and what it stands in.
+
+use glam::DVec2;
+
+use crate::compile::arrangement::{lies_on, tolerance};
+use crate::compile::region::Region;
+use crate::light::{Power, Wavelength};
+use crate::numerics::{Turn, cross};
+use crate::scene::{Direction, Light, Polarization, Source};
+use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId};
+
+/// What rays start among.
+pub(crate) struct Ground<'a> {
+    pub(crate) origin: DVec2,
+    pub(crate) interfaces: &'a [Interface],
+    /// In painter's order.
+    pub(crate) regions: &'a [Region],
+    pub(crate) surroundings: MediumId,
+}
+
+/// First points and unit directions of a source's rays, relative to `origin`.
+pub(crate) fn rays(light: &Light, origin: DVec2) -> Vec<(DVec2, DVec2)> {
+    match light {
+        Light::Ray { from, direction } => vec![(*from - origin, heading(*from, *direction, 0.0))],
+        Light::Beam { center, direction, width, rays } => {
+            let ahead = heading(*center, *direction, 0.0);
+            let start = |k: u32| *center - origin + fraction(k, *rays) * *width * ahead.perp();
+            (0..*rays).map(|k| (start(k), ahead)).collect()
+        }
+        Light::Fan { from, direction, spread, rays } => {
+            let turned = |k: u32| heading(*from, *direction, fraction(k, *rays) * spread);
+            (0..*rays).map(|k| (*from - origin, turned(k))).collect()
+        }
+        Light::Point { at, rays } => {
+            let angle = |k: u32| 360.0 * f64::from(k) / f64::from(*rays);
+            (0..*rays).map(|k| (*at - origin, Turn::degrees(angle(k)).direction())).collect()
+        }
+    }
+}
+
+/// Place of ray k of n between −1/2 and 1/2; 0 for a single ray.
+fn fraction(k: u32, n: u32) -> f64 {
+    if n > 1 { f64::from(k) / f64::from(n - 1) - 0.5 } else { 0.0 }
+}
+
+fn heading(from: DVec2, direction: Direction, turned: f64) -> DVec2 {
+    match direction {
+        Direction::Angle(degrees) => Turn::degrees(degrees + turned).direction(),
+        Direction::Towards(point) => {
+            let ahead = unit(point - from);
+            if turned == 0.0 { ahead } else { unit(Turn::degrees(turned).apply(ahead)) }
+        }
+    }
+}
+
+/// The unit vector along `v`, whatever its magnitude; zero for zero.
+fn unit(v: DVec2) -> DVec2 {
+    let scaled = v / v.abs().max_element();
+    let unit = scaled / scaled.length();
+    if unit.is_finite() { unit } else { DVec2::ZERO }
+}
+
+impl Ground<'_> {
+    /// Lays out the rays of a source.
+    pub(crate) fn place(&self, source: &Source) -> PlacedSource {
+        let starts: Vec<_> = rays(&source.light, self.origin).into_iter().map(|(p, d)| self.start(p, d)).collect();
+        let lines: Vec<_> = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometres).collect();
+        #[expect(clippy::cast_precision_loss, reason = "ray counts are far below 2^53")]
+        let power = source.power / (starts.len() as f64 * lines.len() as f64);
+        let power = match source.polarization {
+            Polarization::Unpolarized => Power::both(0.5 * power),
+            Polarization::S => Power { s: power, p: 0.0 },
+            Polarization::P => Power { s: 0.0, p: power },
+        };
+        PlacedSource { starts, lines, power }
+    }
+
+    /// The medium that a ray starts in, and the boundary it starts on and must not hit there.
+    fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
+        let tolerance = tolerance((from + self.origin).abs().max_element().max(from.abs().max_element()));
+        let (start, medium) = self
+            .at_vertex(from, direction, tolerance)
+            .or_else(|| self.on_interface(from, direction, tolerance))
+            .unwrap_or_else(|| (Start::Free, self.medium_at(from)));
+        RayStart { from, direction, medium, start }
+    }
+
+    /// The medium of the last region that holds a point.
+    fn medium_at(&self, p: DVec2) -> MediumId {
+        let last = self.regions.iter().rev().find(|region| region.contains(p));
+        last.map_or(self.surroundings, |region| region.medium)
+    }
+
+    fn on_interface(&self, from: DVec2, direction: DVec2, tolerance: f64) -> Option<(Start, MediumId)> {
+        let interface = self.interfaces.iter().position(|interface| lies_on(&interface.curve, from, tolerance))?;
+        let Interface { curve, left: on_left, right: on_right, .. } = &self.interfaces[interface];
+        let rise = curve.normal_at(from).dot(direction);
+        let left = if rise != 0.0 {
+            rise > 0.0
+        } else if curve.is_straight() {
+            // Along the edge: the medium on the ray's own left.
+            curve.tangent_at(from).dot(direction) > 0.0
+        } else {
+            curve.curvature < 0.0
+        };
+        Some((Start::On { interface, left }, if left { *on_left } else { *on_right }))
+    }
+
+    /// At a vertex the ray starts in the sector it heads into: on the counter-clockwise side of the interface that comes
+    /// last before it, turning counter-clockwise.
+    fn at_vertex(&self, from: DVec2, direction: DVec2, tolerance: f64) -> Option<(Start, MediumId)> {
+        let vertex = self.interfaces.iter().find_map(|interface| {
+            let ends = [(interface.curve.a, interface.ends[0]), (interface.curve.b, interface.ends[1])];
+            ends.into_iter().find(|(p, _)| p.distance(from) <= tolerance).map(|(_, vertex)| vertex)
+        })?;
+        let sides = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
+        let nearest = sides.min_by(|(u, _), (v, _)| turn_to(*u, direction).total_cmp(&turn_to(*v, direction)))?;
+        Some((Start::AtVertex(vertex), nearest.1))
+    }
+}
+
+/// Directions in which an interface leaves a vertex, with the medium on its counter-clockwise side.
+fn sectors(interface: &Interface, vertex: VertexId) -> Vec<(DVec2, MediumId)> {
+    let Interface { curve, ends, left, right, .. } = interface;
+    let mut sectors = Vec::new();
+    if ends[0] == vertex {
+        sectors.push((curve.tangent_at(curve.a), *left));
+    }
+    if ends[1] == vertex {
+        sectors.push((-curve.tangent_at(curve.b), *right));
+    }
+    sectors
+}
+
+/// A measure of the counter-clockwise angle from `u` to `v`, growing from 0 to 4 over the full turn.
+fn turn_to(u: DVec2, v: DVec2) -> f64 {
+    let (sin, cos) = (cross(u, v), u.dot(v));
+    if sin == 0.0 && cos > 0.0 {
+        0.0
+    } else if sin >= 0.0 {
+        1.0 - cos
+    } else {
+        3.0 + cos
+    }
+}

@@ -1,0 +1,93 @@
+use std::fmt;
+use std::ops::Range;
+
+use crate::scene::render_problems;
+
+/// How bad a problem is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// The scene cannot be used.
+    Error,
+    /// The scene works, but probably not as meant.
+    Warning,
+}
+
+/// Something wrong in a scene: where, what, and what would be right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// How bad it is.
+    pub severity: Severity,
+    /// The value at fault, such as `bodies[2].shape.radii`; empty for the scene as a whole.
+    pub path: String,
+    /// Bytes of the scene's text at fault; `None` for a scene that was not read from text.
+    pub span: Option<Range<usize>>,
+    /// What is wrong, in one sentence without a final period.
+    pub message: String,
+    /// A few words for the underlined text; may be empty.
+    pub label: String,
+    /// What would be right.
+    pub help: String,
+}
+
+impl Problem {
+    /// An error at a path.
+    #[must_use]
+    pub fn error(path: impl Into<String>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            path: path.into(),
+            span: None,
+            message: message.into(),
+            label: String::new(),
+            help: help.into(),
+        }
+    }
+
+    /// A warning at a path.
+    #[must_use]
+    pub fn warning(path: impl Into<String>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(path, message, help) }
+    }
+
+    /// The same problem with words for the underlined text.
+    #[must_use]
+    pub fn label(self, label: impl Into<String>) -> Self {
+        Self { label: label.into(), ..self }
+    }
+
+    /// The same problem at a place of the text.
+    #[must_use]
+    pub fn at(self, span: Range<usize>) -> Self {
+        Self { span: Some(span), ..self }
+    }
+}
+
+/// All problems of one scene with its text, so that they can be shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problems {
+    list: Vec<Problem>,
+    text: String,
+    file: String,
+}
+
+impl Problems {
+    /// Problems of the scene with this text, shown under a file name.
+    #[must_use]
+    pub fn new(list: Vec<Problem>, text: impl Into<String>, file: impl Into<String>) -> Self {
+        Self { list, text: text.into(), file: file.into() }
+    }
+
+    /// The problems, in the order of the text.
+    #[must_use]
+    pub fn list(&self) -> &[Problem] {
+        &self.list
+    }
+}
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&render_problems(&self.list, &self.text, &self.file))
+    }
+}
+
+impl std::error::Error for Problems {}

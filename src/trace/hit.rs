@@ -1,0 +1,162 @@
+//! What happens where a ray meets an interface: the hit as it is recorded, and the secondary rays that it spawns.
+
+use glam::DVec2;
+
+use crate::laws::{Refraction, fresnel, reflect, refract, thin_lens};
+use crate::light::Power;
+use crate::scene::SecondaryRays;
+use crate::system::{Action, Interface};
+use crate::trace::{Hit, Via};
+
+/// A ray's arrival at an interface.
+pub(crate) struct Arrival<'a> {
+    pub(crate) interface: &'a Interface,
+    /// Where it arrives, relative to the system's origin.
+    pub(crate) at: DVec2,
+    /// Unit direction V.
+    pub(crate) direction: DVec2,
+    /// Unit normal N on the ray's side.
+    pub(crate) normal: DVec2,
+    /// Index of the incident medium.
+    pub(crate) n_i: f64,
+    /// Index of the medium behind.
+    pub(crate) n_t: f64,
+}
+
+/// A secondary ray: how it came about, and its unit direction.
+pub(crate) type Secondary = (Via, DVec2);
+
+/// What comes of an arrival.
+pub(crate) struct Outcome {
+    pub(crate) hit: Hit,
+    pub(crate) transmitted: Option<Secondary>,
+    pub(crate) reflected: Option<Secondary>,
+}
+
+impl Arrival<'_> {
+    pub(crate) fn outcome(&self, secondary_rays: SecondaryRays) -> Outcome {
+        match self.interface.action {
+            Action::Refract => self.refract(|refracted| shares(secondary_rays, refracted)),
+            Action::Split { reflect, transmit } => self.refract(|refracted| match refracted {
+                Some(_) => Shares::fixed(reflect, transmit),
+                None => Shares::fixed(reflect + transmit, 0.0),
+            }),
+            Action::Mirror => self.mirror(),
+            Action::Absorb => self.take(None),
+            Action::Detect { along, sense } => self.take(Some(along + sense * self.interface.curve.length_to(self.at))),
+            Action::ThinLens { center, focal_length } => self.thin_lens(center, focal_length),
+        }
+    }
+
+    /// A boundary that refracts: `share` gives the reflected and the transmitted fraction, for the refracted light or
+    /// past the critical angle.
+    fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
+        let refraction = refract(self.direction, self.normal, self.n_i, self.n_t);
+        let (cos_i, sin_i) = (refraction.cos_i(), refraction.sin_i());
+        let mut hit = Hit { cos_i, sin_i, n_t: Some(self.n_t), ..self.bare_hit() };
+        let reflected = reflect(self.direction, self.normal);
+        let Refraction::Refracted { direction, cos_t, sin_t, .. } = refraction else {
+            // Total internal reflection: nothing is transmitted. At the critical angle itself T runs along the boundary.
+            let critical = self.n_i * sin_i.abs() <= self.n_t;
+            (hit.cos_t, hit.sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
+            share(None).put(&mut hit);
+            hit.total_internal_reflection = true;
+            return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
+        };
+        (hit.cos_t, hit.sin_t) = (Some(cos_t), Some(sin_t));
+        let refracted = Refracted { n_i: self.n_i, n_t: self.n_t, cos_i, sin_i, cos_t, sin_t };
+        share(Some(&refracted)).put(&mut hit);
+        Outcome {
+            hit,
+            transmitted: Some((Via::Transmission, direction)),
+            reflected: Some((Via::Reflection, reflected)),
+        }
+    }
+
+    fn mirror(&self) -> Outcome {
+        let hit = Hit { reflectance: Power::both(1.0), ..self.bare_hit() };
+        let reflected = Some((Via::Reflection, reflect(self.direction, self.normal)));
+        Outcome { hit, transmitted: None, reflected }
+    }
+
+    /// An absorber, or a screen with the place where the light lands.
+    fn take(&self, position: Option<f64>) -> Outcome {
+        Outcome { hit: Hit { absorptance: 1.0, position, ..self.bare_hit() }, transmitted: None, reflected: None }
+    }
+
+    fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
+        let height = (self.at - center).dot(self.normal.perp());
+        let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
+        let hit = Hit {
+            n_t: Some(self.n_t),
+            cos_t: Some(-self.normal.dot(direction)),
+            sin_t: Some(self.normal.perp().dot(direction)),
+            transmittance: Power::both(1.0),
+            ..self.bare_hit()
+        };
+        Outcome { hit, transmitted: Some((Via::Transmission, direction)), reflected: None }
+    }
+
+    fn bare_hit(&self) -> Hit {
+        let (v, n) = (self.direction, self.normal);
+        Hit {
+            body: self.interface.body,
+            normal: n,
+            n_i: self.n_i,
+            n_t: None,
+            cos_i: (-n.dot(v)).max(0.0),
+            sin_i: n.perp().dot(v),
+            cos_t: None,
+            sin_t: None,
+            reflectance: Power::default(),
+            transmittance: Power::default(),
+            absorptance: 0.0,
+            total_internal_reflection: false,
+            position: None,
+        }
+    }
+}
+
+/// Indices and angles of a refraction.
+struct Refracted {
+    n_i: f64,
+    n_t: f64,
+    cos_i: f64,
+    sin_i: f64,
+    cos_t: f64,
+    sin_t: f64,
+}
+
+/// How a hit shares the power that arrives.
+struct Shares {
+    reflectance: Power,
+    transmittance: Power,
+    absorptance: f64,
+}
+
+impl Shares {
+    /// Constants alike for both polarizations; the rest stays.
+    fn fixed(reflect: f64, transmit: f64) -> Self {
+        let absorptance = (1.0 - (reflect + transmit)).max(0.0);
+        Self { reflectance: Power::both(reflect), transmittance: Power::both(transmit), absorptance }
+    }
+
+    fn put(self, hit: &mut Hit) {
+        (hit.reflectance, hit.transmittance, hit.absorptance) =
+            (self.reflectance, self.transmittance, self.absorptance);
+    }
+}
+
+/// The shares on the face between two media.
+fn shares(secondary_rays: SecondaryRays, refracted: Option<&Refracted>) -> Shares {
+    match (secondary_rays, refracted) {
+        // Past the critical angle everything is reflected.
+        (_, None) => Shares::fixed(1.0, 0.0),
+        (SecondaryRays::Fresnel, Some(r)) => {
+            let law = fresnel(r.n_i, r.n_t, r.cos_i, r.sin_i, r.cos_t, r.sin_t);
+            Shares { reflectance: law.reflectance, transmittance: law.transmittance, absorptance: 0.0 }
+        }
+        (SecondaryRays::Fixed { kr, kt }, Some(_)) => Shares::fixed(kr, kt),
+        (SecondaryRays::TransmittedOnly, Some(_)) => Shares::fixed(0.0, 1.0),
+    }
+}

@@ -1,0 +1,197 @@
+//! The nearest interface ahead of a ray, decided by identity where distances cannot: the interface that the ray stands on,
+//! the vertices it shares, and the medium that the ray is in.
+//!
+//! Which side of the ray a vertex lies on is computed once per vertex in effect, since the same numbers give the same
+//! sign: an outline is crossed on its way in and out, or not at all. Only interfaces whose near side is the ray's medium
+//! count.
+
+use glam::DVec2;
+
+use crate::geometry::{CircleRoots, Curve};
+use crate::numerics::{cross, side};
+use crate::system::{Interface, MediumId, Start, VertexId};
+
+/// A ray on its way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ray {
+    pub(crate) from: DVec2,
+    pub(crate) direction: DVec2,
+    pub(crate) medium: MediumId,
+    pub(crate) start: Start,
+}
+
+/// What a ray meets first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Crossing {
+    pub(crate) interface: usize,
+    /// Distance along the ray, at least 0.
+    pub(crate) distance: f64,
+    /// Whether the ray comes from the interface's left.
+    pub(crate) from_left: bool,
+}
+
+/// The first interface that the ray crosses; of several at one distance the first in the list. `None` if the ray leaves.
+pub(crate) fn nearest(interfaces: &[Interface], reach: f64, ray: &Ray) -> Option<Crossing> {
+    let probe = Probe { ray, last: ray.last(interfaces), near: 64.0 * f64::EPSILON * reach };
+    let mut first: Option<Crossing> = None;
+    for (interface, candidate) in interfaces.iter().enumerate() {
+        for (distance, from_left) in probe.crossings(interface, candidate).into_iter().flatten() {
+            let near_side = if from_left { candidate.left } else { candidate.right };
+            if near_side == ray.medium && first.is_none_or(|best| distance < best.distance) {
+                first = Some(Crossing { interface, distance, from_left });
+            }
+        }
+    }
+    first
+}
+
+impl Ray {
+    /// The interface that the ray stands on, and whether it heads to its left.
+    fn last<'a>(&self, interfaces: &'a [Interface]) -> Option<(&'a Interface, bool)> {
+        match self.start {
+            Start::On { interface, left } => Some((&interfaces[interface], left)),
+            Start::Free | Start::AtVertex(_) => None,
+        }
+    }
+}
+
+/// A crossing's distance, and whether the ray comes from the left.
+type Met = Option<(f64, bool)>;
+
+struct Probe<'a> {
+    ray: &'a Ray,
+    last: Option<(&'a Interface, bool)>,
+    /// Distances below this are rounding.
+    near: f64,
+}
+
+impl Probe<'_> {
+    fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
+        match self.ray.start {
+            Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.from_end(candidate, vertex), None],
+            _ if candidate.curve.is_straight() => [self.edge(candidate), None],
+            _ => self.arc(candidate),
+        }
+    }
+
+    /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on follow
+    /// from the side it heads to.
+    fn is_left(&self, vertex: VertexId, p: DVec2) -> bool {
+        if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.is_straight()) {
+            if vertex == last.ends[0] {
+                return heads_left;
+            }
+            if vertex == last.ends[1] {
+                return !heads_left;
+            }
+        }
+        cross(self.ray.direction, p - self.ray.from) > 0.0
+    }
+
+    /// Whether the ray's line passes between the ends of an interface; then whether it comes from its left.
+    fn passes_from_left(&self, candidate: &Interface) -> Option<bool> {
+        let [a, b] = candidate.ends;
+        let (a_left, b_left) = (self.is_left(a, candidate.curve.a), self.is_left(b, candidate.curve.b));
+        (a_left != b_left).then_some(b_left)
+    }
+
+    fn edge(&self, candidate: &Interface) -> Met {
+        let from_left = self.passes_from_left(candidate)?;
+        let Curve { m, n, .. } = candidate.curve;
+        let distance = n.dot(m - self.ray.from) / n.dot(self.ray.direction);
+        self.ahead(candidate, distance).map(|distance| (distance, from_left))
+    }
+
+    fn arc(&self, candidate: &Interface) -> [Met; 2] {
+        if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.same_circle(&candidate.curve)) {
+            let passes = self.passes_from_left(candidate).is_some();
+            return [passes.then(|| self.across(&last.curve, heads_left)).flatten(), None];
+        }
+        let roots = CircleRoots::new(&candidate.curve, self.ray.from, self.ray.direction);
+        let met = |from_left: bool| {
+            let distance = self.ahead(candidate, if from_left { roots.from_left } else { roots.from_right })?;
+            Some((distance, from_left))
+        };
+        match self.passes_from_left(candidate) {
+            Some(from_left) => [met(from_left), None],
+            None if roots.meets && self.cuts_off_bulge(candidate) => [met(true), met(false)],
+            None => [None, None],
+        }
+    }
+
+    /// For an arc whose ends lie on one side of the ray's line, and a line that meets its circle: whether the arc is what
+    /// the line cuts off on the other side. It is if it holds that side's farthest point.
+    fn cuts_off_bulge(&self, candidate: &Interface) -> bool {
+        let curve = &candidate.curve;
+        let other_side = if self.is_left(candidate.ends[0], curve.a) { -1.0 } else { 1.0 };
+        let a_to_farthest =
+            curve.curvature.signum() * curve.normal_at(curve.a) + other_side * self.ray.direction.perp();
+        cross(curve.b - curve.a, a_to_farthest) * curve.curvature < 0.0
+    }
+
+    /// The arc that the ray stands on, met again: where its line does not pass between the ends, both of its points are
+    /// the arc's.
+    fn again(&self, last: &Interface, heads_left: bool) -> Met {
+        let both_on_arc = !last.curve.is_straight() && self.passes_from_left(last).is_none();
+        both_on_arc.then(|| self.across(&last.curve, heads_left)).flatten()
+    }
+
+    /// From a point of a circle through it to the other side: t = −2 B/κ; `None` for a ray that heads out of it.
+    fn across(&self, circle: &Curve, heads_left: bool) -> Met {
+        let inward = heads_left == (circle.curvature > 0.0);
+        let gradient = circle.normal_at(self.ray.from);
+        let distance = (2.0 * gradient.dot(self.ray.direction) / circle.curvature).max(0.0);
+        (inward && distance.is_finite()).then_some((distance, heads_left))
+    }
+
+    /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
+    fn from_end(&self, candidate: &Interface, vertex: VertexId) -> Met {
+        let Interface { curve, ends, .. } = candidate;
+        let at = if ends[0] == vertex { curve.a } else { curve.b };
+        let into_bulge = cross(curve.b - curve.a, self.ray.direction) * curve.curvature < 0.0;
+        let distance = 2.0 * curve.normal_at(at).dot(self.ray.direction) / curve.curvature;
+        (into_bulge && distance > 0.0 && distance.is_finite()).then_some((distance, curve.curvature > 0.0))
+    }
+
+    /// The distance, if it lies ahead. Beside a vertex that a candidate shares with the interface the ray stands on, the
+    /// corner decides: the candidate is ahead where it opens to the side that the ray heads to.
+    fn ahead(&self, candidate: &Interface, distance: f64) -> Option<f64> {
+        let corner = self.last.and_then(|(last, left)| Some((last, left, self.shared_end(last, candidate)?)));
+        let Some((last, heads_left, start)) = corner else { return (distance > 0.0).then_some(distance) };
+        let both_straight = last.curve.is_straight() && candidate.curve.is_straight();
+        if distance.abs() > self.near && !both_straight {
+            return (distance > 0.0).then_some(distance);
+        }
+        let ahead =
+            opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
+        ahead.then_some(distance.max(0.0))
+    }
+
+    /// Whether the end that a candidate shares with the interface the ray stands on is its start; of two such ends the
+    /// one nearer to the ray. `None` if they share none.
+    fn shared_end(&self, last: &Interface, candidate: &Interface) -> Option<bool> {
+        let shared = candidate.ends.map(|end| last.ends.contains(&end));
+        let from_ray = |p: DVec2| p.distance_squared(self.ray.from);
+        match shared {
+            [true, true] => Some(from_ray(candidate.curve.a) <= from_ray(candidate.curve.b)),
+            [start, end] => (start || end).then_some(start),
+        }
+    }
+}
+
+/// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two are
+/// tangent.
+fn opens_to(last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
+    let Curve { a, b, .. } = candidate.curve;
+    let (vertex, other) = if start { (a, b) } else { (b, a) };
+    let turn = if last.curve.is_straight() && candidate.curve.is_straight() {
+        side(last.curve.a, last.curve.b, other)
+    } else {
+        let tangent = candidate.curve.tangent_at(vertex);
+        let turn = cross(last.curve.tangent_at(vertex), if start { tangent } else { -tangent });
+        // Rounding of two tangents; closer than this they are one.
+        if turn.abs() <= 1e-12 { 0.0 } else { turn }
+    };
+    (turn != 0.0).then_some(turn > 0.0)
+}
