@@ -39,7 +39,11 @@ fn a_use_of_a_later_module_is_found_in_every_form() {
     assert_eq!(later("use crate::trace::RayTree;"), ["trace"]);
     assert_eq!(later("use crate::{numerics::Sum, cli, render::{svg, png}};"), ["cli", "render"]);
     assert_eq!(later("fn f() -> crate::laws::Refracted { crate::numerics::exp(1.0) }"), ["laws"]);
-    assert_eq!(later("pub(in crate::light) use crate::OpticalSystem as System;"), ["system"], "through the crate's root");
+    assert_eq!(
+        later("pub(in crate::light) use crate::OpticalSystem as System;"),
+        ["system"],
+        "through the crate's root"
+    );
     assert_eq!(later("use crate :: { Scene };"), ["scene"]);
     assert_eq!(later("use crate::*;"), ["*"], "everything is too much");
 }

@@ -1,11 +1,11 @@
-use std::fs;
+use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::console::{Fault, Mistake, reason, tell};
 use super::stats::Stopwatch;
-use crate::compile::compile;
-use crate::scene::{self, Problem, Scene};
+use crate::compile::{Compiled, compile};
+use crate::scene::{self, Loaded, MAX_TEXT_BYTES, Problem, Scene};
 use crate::system::OpticalSystem;
 
 /// A scene read, checked and compiled.
@@ -38,44 +38,51 @@ pub(super) fn refuse_two_stdins(scenes: &[PathBuf]) -> Result<(), Mistake> {
 pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault> {
     let file = name(path);
     let text = read(path, &file)?;
-    let shown = |problems: &[Problem]| Fault(scene::render_problems(problems, &text, &file).trim_end().into());
     watch.lap("read");
-    let loaded = scene::load(&text).map_err(|problems| shown(&problems))?;
+    let shown = |problems: &[Problem]| scene::render_problems(problems, &text, &file).trim_end().to_owned();
+    let Loaded { scene, places, mut warnings } = scene::load(&text).map_err(|problems| Fault(shown(&problems)))?;
     watch.lap("load");
-    let place = |mut problems: Vec<Problem>| {
-        problems.iter_mut().for_each(|problem| loaded.places.locate(problem));
-        problems
+    let placed = |mut problem: Problem| {
+        places.locate(&mut problem);
+        problem
     };
-    let compiled = compile(&loaded.scene).map_err(|problems| shown(&place(problems)))?;
+    let Compiled { system, warnings: more } = compile(&scene).map_err(|problems| {
+        let all = warnings.iter().chain(problems.list()).cloned().map(placed);
+        Fault(shown(&all.collect::<Vec<_>>()))
+    })?;
     watch.lap("compile");
-    let warnings = place(compiled.warnings);
+    warnings.extend(more.into_iter().map(placed));
     if !warnings.is_empty() {
-        tell(shown(&warnings).0);
+        tell(shown(&warnings));
     }
-    Ok(Ready { scene: loaded.scene, system: compiled.system, warnings: warnings.len() })
+    Ok(Ready { scene, system, warnings: warnings.len() })
 }
 
 fn read(path: &Path, file: &str) -> Result<String, Fault> {
-    let fault = |error: io::Error| Fault(format!("{file}: cannot be read: {}", reason(&error)));
-    let bytes = if is_stdin(path) {
-        let mut bytes = Vec::new();
-        io::stdin().lock().read_to_end(&mut bytes).map_err(fault)?;
-        bytes
+    let mut bytes = Vec::new();
+    // One byte more than a scene may have tells that there is too much, without reading all of it.
+    let most = MAX_TEXT_BYTES as u64 + 1;
+    let read = if is_stdin(path) {
+        io::stdin().lock().take(most).read_to_end(&mut bytes)
     } else {
-        fs::read(path).map_err(fault)?
+        File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes))
     };
-    decode(bytes, file)
+    match read {
+        Err(error) => Err(Fault(format!("{file}: cannot be read: {}", reason(&error)))),
+        Ok(length) if length > MAX_TEXT_BYTES => {
+            Err(Fault(format!("{file}: this is too long for a scene: at most {MAX_TEXT_BYTES} bytes are read")))
+        }
+        Ok(_) => decode(bytes, file),
+    }
 }
 
-/// The text of a scene, without the mark that some editors put before it.
 fn decode(bytes: Vec<u8>, file: &str) -> Result<String, Fault> {
-    let text = String::from_utf8(bytes).map_err(|error| {
+    String::from_utf8(bytes).map_err(|error| {
         let good = String::from_utf8_lossy(&error.as_bytes()[..error.utf8_error().valid_up_to()]);
         let line = good.matches('\n').count() + 1;
         let column = good.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
         Fault(format!("{file}:{line}:{column}: this is not UTF-8 text: save the scene in the encoding UTF-8"))
-    })?;
-    Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
+    })
 }
 
 #[cfg(test)]
@@ -86,10 +93,5 @@ mod tests {
     fn a_byte_that_is_no_text_is_placed() {
         let Fault(message) = decode(b"(\n  title: \"\xff\")".to_vec(), "a.ron").unwrap_err();
         assert!(message.starts_with("a.ron:2:11: "), "{message}");
-    }
-
-    #[test]
-    fn the_mark_of_some_editors_is_dropped() {
-        assert_eq!(decode("\u{feff}()".into(), "a.ron").unwrap(), "()");
     }
 }

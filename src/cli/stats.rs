@@ -29,13 +29,16 @@ pub(super) fn show(name: &str, system: &OpticalSystem, summary: &Summary, tree: 
     let mut lines = vec![format!("stats of {name}")];
     let mut line = |what: &str, value: String| lines.push(format!("  {what:18}{value}"));
     line("bodies", system.bodies().len().to_string());
-    line("interfaces", system.interfaces().len().to_string());
+    line("interfaces", format!("{}, {} pieces of boundary dropped", system.interfaces().len(), system.dropped_boundaries()));
     line("rays", summary.rays.to_string());
     line("segments", summary.segments.to_string());
     let emitted = summary.balance.emitted.value();
     for (ending, sum) in endings(summary) {
         let number = tree.map_or_else(String::new, |tree| format!("{} segments, ", count(tree, ending)));
-        line(ending.word(), format!("{number}{:.4} % of the power", 100.0 * sum / emitted));
+        line(
+            ending.word(),
+            format!("{number}{:.4} % of the power", if emitted > 0.0 { 100.0 * sum / emitted } else { 0.0 }),
+        );
     }
     line("residual", format!("{:e}", summary.balance.residual()));
     for (phase, time) in &watch.phases {

@@ -311,7 +311,7 @@ mod tests {
     #[test]
     fn an_empty_trace_is_an_object_too() {
         let (system, _) = sample::turn_in_a_prism();
-        let empty = json(&system, &Trace::default());
+        let empty = json(&system, &Trace { tree: RayTree::default(), summary: Summary::default() });
         assert!(empty.ends_with("\"screens\": [],\n  \"rays\": []\n}\n"), "{empty}");
     }
 

@@ -16,6 +16,8 @@ pub(super) fn turn_in_a_prism() -> (OpticalSystem, Trace) {
     let system = OpticalSystem {
         origin: DVec2::ZERO,
         interfaces: Vec::new(),
+        dropped: 0,
+        screens: vec![1],
         media: Vec::new(),
         surroundings: MediumId(0),
         bodies: vec![body("prism"), body("wall")],
@@ -65,6 +67,7 @@ fn hit(body: usize, normal: DVec2, n_i: f64, n_t: Option<f64>) -> Hit {
         sin_t: n_t.map(|_| -0.0),
         reflectance: Power::default(),
         transmittance: Power::default(),
+        absorptance: 0.0,
         total_internal_reflection: false,
         position: None,
     }
