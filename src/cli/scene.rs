@@ -39,7 +39,8 @@ pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault
     let file = name(path);
     let text = read(path, &file)?;
     watch.lap("read");
-    let shown = |problems: &[Problem]| scene::render_problems(problems, &text, &file).trim_end().to_owned();
+    // With an empty line behind: each problem takes several lines.
+    let shown = |problems: &[Problem]| format!("{}\n", scene::render_problems(problems, &text, &file).trim_end());
     let Loaded { scene, places, mut warnings } = scene::load(&text).map_err(|problems| Fault(shown(&problems)))?;
     watch.lap("load");
     let placed = |mut problem: Problem| {

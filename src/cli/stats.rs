@@ -29,12 +29,15 @@ pub(super) fn show(name: &str, system: &OpticalSystem, summary: &Summary, tree: 
     let mut lines = vec![format!("stats of {name}")];
     let mut line = |what: &str, value: String| lines.push(format!("  {what:18}{value}"));
     line("bodies", system.bodies().len().to_string());
-    line("interfaces", format!("{}, {} pieces of boundary dropped", system.interfaces().len(), system.dropped_boundaries()));
+    line(
+        "interfaces",
+        format!("{}, {} pieces of boundary dropped", system.interfaces().len(), system.dropped_boundaries()),
+    );
     line("rays", summary.rays.to_string());
     line("segments", summary.segments.to_string());
     let emitted = summary.balance.emitted.value();
     for (ending, sum) in endings(summary) {
-        let number = tree.map_or_else(String::new, |tree| format!("{} segments, ", count(tree, ending)));
+        let number = tree.map_or_else(String::new, |tree| format!("{}, ", segments(count(tree, ending))));
         line(
             ending.word(),
             format!("{number}{:.4} % of the power", if emitted > 0.0 { 100.0 * sum / emitted } else { 0.0 }),
@@ -62,4 +65,8 @@ fn endings(summary: &Summary) -> [(Ending, f64); 6] {
 
 fn count(tree: &RayTree, ending: Ending) -> usize {
     tree.rays.iter().flat_map(|ray| &ray.segments).filter(|segment| segment.ending == ending).count()
+}
+
+fn segments(number: usize) -> String {
+    format!("{number} segment{}", if number == 1 { "" } else { "s" })
 }

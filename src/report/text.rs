@@ -17,8 +17,8 @@ const ANGLE_DECIMALS: usize = 4;
 
 /// The ray tree by address, the power balance and the screens.
 ///
-/// Lengths have 7 digits against the size of the scene, powers 6 of their own; power is the share of what the ray
-/// started with. The columns are aligned within each ray.
+/// Lengths have 7 digits against the size of the scene, powers 6 of their own. A segment's share is that of the power
+/// that its ray started with. The columns are aligned within each ray.
 #[must_use]
 pub fn text(system: &OpticalSystem, trace: &Trace) -> String {
     in_memory(|out| write_text(out, system, trace))
@@ -88,7 +88,7 @@ impl Report<'_> {
             format!("{} → {to}", self.point(segment.from)),
             format!("along ({x}, {y})"),
             format!("n {}", fixed(segment.medium_index, DECIMALS)),
-            format!("power {}", share(segment.power.total() / ray.power, 1.0)),
+            format!("share {}", share(segment.power.total() / ray.power, 1.0)),
             segment.hit.as_ref().map_or_else(String::new, angles),
         ]
     }
@@ -210,10 +210,10 @@ mod tests {
 Turn in a prism
 
 ray 0.0  587.5618 nm  power 1
-  0.0:        source                     (-30, 10) → (0, 10)  along (1, 0)   n 1    power 1     0° → 0°      interface prism
-    0.0:t     transmission               (0, 10) → (30, 10)   along (1, 0)   n 1.5  power 0.96  45° → total  interface prism
-      0.0:ti  total_internal_reflection  (30, 10) → (30, 0)   along (0, -1)  n 1.5  power 0.96  0°           detected wall
-    0.0:r     reflection                 (0, 10) → …          along (-1, 0)  n 1    power 0.04               cut_min_power
+  0.0:        source                     (-30, 10) → (0, 10)  along (1, 0)   n 1    share 1     0° → 0°      interface prism
+    0.0:t     transmission               (0, 10) → (30, 10)   along (1, 0)   n 1.5  share 0.96  45° → total  interface prism
+      0.0:ti  total_internal_reflection  (30, 10) → (30, 0)   along (0, -1)  n 1.5  share 0.96  0°           detected wall
+    0.0:r     reflection                 (0, 10) → …          along (-1, 0)  n 1    share 0.04               cut_min_power
 
 1 ray, 4 segments
 
