@@ -1,5 +1,7 @@
 //! The laws held against tables computed in 60-digit arithmetic, and against what must hold for every ray.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use glam::DVec2;
 use proptest::prelude::*;
 use snellius::laws::{

@@ -1,4 +1,4 @@
-//! Snell's law, n_i sin θ_i = n_t sin θ_t: Hecht, "Optics", 5th ed., section 4.4.1, equation 4.4; Born & Wolf, "Principles
+//! Snell's law, n_i sin θ_i = n_t sin θ_t: Hecht, "Optics", 4th ed., section 4.4.1, equation 4.4; Born & Wolf, "Principles
 //! of Optics", 7th ed., section 1.5.1. Vector form T = V/η + (C1/η − C2) N as lecture notes derive it from V, N and
 //! S2 η = S1. Module [`laws`](super) says why the kernel uses components instead.
 
