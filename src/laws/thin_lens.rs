@@ -1,4 +1,4 @@
-//! The ideal thin lens: Hecht, "Optics", 5th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and its ray-transfer form, section
+//! The ideal thin lens: Hecht, "Optics", 4th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and its ray-transfer form, section
 //! 6.2.1, with slopes in place of small angles, so that every object point has a sharp image.
 
 use glam::DVec2;
