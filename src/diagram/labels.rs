@@ -23,9 +23,9 @@ pub(super) fn labels(figure: &Figure<'_>, normals: &[Item]) -> Vec<Item> {
         let Some(words) = words(figure, k) else { continue };
         let text = Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label");
         let later = &shapes[k + 1..];
-        let inside = room.best(&text, &inside(&shapes[k], later, &text));
+        let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area));
         let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
-            let beside = room.best(&text, &beside(&shapes[k], &text));
+            let beside = room.best(&text, &beside(&shapes[k], &text, &room.area));
             [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
         });
         if let Some((_, middle)) = place {
@@ -81,10 +81,10 @@ fn notes(figure: &Figure<'_>) -> Vec<Rect> {
 }
 
 /// Middles of places inside a body's outline where the whole text fits and no later body covers it.
-fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text) -> Vec<(f64, DVec2)> {
+fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
     let mut places = Vec::new();
     for shape in shapes.iter().filter(|shape| shape.filled) {
-        let Some(bounds) = bounds([shape]) else { continue };
+        let Some(bounds) = seen([shape], area) else { continue };
         // A little below the middle is the natural place: light mostly crosses the middle.
         let home = bounds.center() + DVec2::new(0.0, 0.15 * bounds.size().y);
         for (column, row) in (1..12).flat_map(|column| (1..16).map(move |row| (column, row))) {
@@ -106,8 +106,8 @@ fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text) -> Vec<(f64, DVec
 }
 
 /// Middles of places beside a body, from the nearest.
-fn beside(shapes: &[Shape], text: &Text) -> Vec<(f64, DVec2)> {
-    let Some(bounds) = bounds(shapes) else { return Vec::new() };
+fn beside(shapes: &[Shape], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
+    let Some(bounds) = seen(shapes, area) else { return Vec::new() };
     let half = 0.5 * text.bounds().size() + GAP;
     let mut places = Vec::new();
     for (i, share) in [0.5, 0.2, 0.8, 0.0, 1.0].into_iter().enumerate() {
@@ -125,11 +125,13 @@ fn beside(shapes: &[Shape], text: &Text) -> Vec<(f64, DVec2)> {
     places
 }
 
-fn bounds<'a>(shapes: impl IntoIterator<Item = &'a Shape>) -> Option<Rect> {
+/// The box of what the frame shows of some outlines; `None` if it shows nothing.
+fn seen<'a>(shapes: impl IntoIterator<Item = &'a Shape>, area: &Rect) -> Option<Rect> {
     let mut points = shapes.into_iter().flat_map(|shape| &shape.points);
     let first = *points.next()?;
     let start = Rect { min: first, max: first };
-    Some(points.fold(start, |rect, p| Rect { min: rect.min.min(*p), max: rect.max.max(*p) }))
+    let all = points.fold(start, |rect, p| Rect { min: rect.min.min(*p), max: rect.max.max(*p) });
+    all.overlaps(area).then(|| Rect { min: all.min.max(area.min), max: all.max.min(area.max) })
 }
 
 /// The text with the middle of its letters at a point.
@@ -183,7 +185,7 @@ impl Room {
         if off || self.taken.iter().any(|other| other.overlaps(rect)) {
             return FORBIDDEN;
         }
-        let wide = rect.grown(4.0);
+        let wide = rect.grown(6.0);
         let crossed = self.lines.iter().filter(|[a, b]| crate::diagram::frame::clip(*a, *b - *a, 1.0, &wide).is_some());
         crossed.map(|_| 10.0).sum()
     }
