@@ -69,7 +69,7 @@ impl Probe<'_> {
     fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
-            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.from_end(candidate, vertex), None],
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.off_vertex(candidate, vertex), None],
             _ if candidate.curve.is_straight() => [self.edge(candidate), None],
             _ => self.arc(candidate),
         }
@@ -146,7 +146,7 @@ impl Probe<'_> {
     }
 
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
-    fn from_end(&self, candidate: &Interface, vertex: VertexId) -> Met {
+    fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Met {
         let Interface { curve, ends, .. } = candidate;
         let at = if ends[0] == vertex { curve.a } else { curve.b };
         let into_bulge = cross(curve.b - curve.a, self.ray.direction) * curve.curvature < 0.0;
