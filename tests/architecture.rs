@@ -1,12 +1,14 @@
 //! Data flows one way: a module imports only modules that stand above it in one list. Rust itself allows cycles.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate; each may use those before it.
-const MODULES: [&str; 15] = [
-    "numerics", "geometry", "light", "media", "laws", "scene", "system", "compile", "trace", "analysis", "report",
-    "drawing", "diagram", "render", "cli",
+const MODULES: [&str; 14] = [
+    "numerics", "geometry", "light", "media", "laws", "scene", "system", "compile", "trace", "report", "drawing",
+    "diagram", "render", "cli",
 ];
 
 #[test]

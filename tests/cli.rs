@@ -1,5 +1,7 @@
 //! Every command and flag through the real program: results, streams, files and exit statuses.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use std::fs;
 use std::io::Write;
 use std::path::Path;

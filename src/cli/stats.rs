@@ -34,7 +34,8 @@ pub(super) fn show(name: &str, system: &OpticalSystem, summary: &Summary, tree: 
         format!("{}, {} pieces of boundary dropped", system.interfaces().len(), system.dropped_boundaries()),
     );
     line("rays", summary.rays.to_string());
-    line("segments", summary.segments.to_string());
+    let followed = tree.map_or_else(String::new, |tree| format!(", {} followed", followed(tree)));
+    line("segments", format!("{}{followed}", summary.segments));
     let emitted = summary.balance.emitted.value();
     for (ending, sum) in endings(summary) {
         let number = tree.map_or_else(String::new, |tree| format!("{}, ", segments(count(tree, ending))));
@@ -65,6 +66,11 @@ fn endings(summary: &Summary) -> [(Ending, f64); 6] {
 
 fn count(tree: &RayTree, ending: Ending) -> usize {
     tree.rays.iter().flat_map(|ray| &ray.segments).filter(|segment| segment.ending == ending).count()
+}
+
+fn followed(tree: &RayTree) -> usize {
+    let cut = [Ending::CutMinPower, Ending::CutMaxDepth, Ending::CutMaxSegments];
+    tree.rays.iter().flat_map(|ray| &ray.segments).filter(|segment| !cut.contains(&segment.ending)).count()
 }
 
 fn segments(number: usize) -> String {

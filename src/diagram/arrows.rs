@@ -1,7 +1,7 @@
 use glam::DVec2;
 
 use crate::diagram::Figure;
-use crate::diagram::branches::Branch;
+use crate::diagram::branches::{Branch, FEW_LINES};
 use crate::diagram::rays::{Styles, opacity, strength};
 use crate::drawing::{Fill, Item, Path, Shape};
 
@@ -22,12 +22,15 @@ pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
     for branch in figure.branches.iter().rev().take(MOST_TRIED) {
         let tip = tip(branch);
         let free = tips.iter().all(|other| (*other - tip).length() >= APART);
-        if items.len() >= MOST || !free || branch.length() < SHORTEST {
+        if items.len() >= MOST || !free || !branch.arrow || branch.length() < SHORTEST {
             continue;
         }
         tips.push(tip);
         let strength = strength(branch.share);
-        let fill = Fill { color: styles.color(branch), opacity: opacity(strength) };
+        // One head for a whole spectrum has the color of all lines together.
+        let many = !branch.together && branch.lines > FEW_LINES;
+        let color = if many { figure.palette.together() } else { styles.color(branch) };
+        let fill = Fill { color, opacity: opacity(strength) };
         items.push(Shape::filled(head(branch, tip), fill, "arrow").into());
     }
     // The strongest lie on top.

@@ -9,6 +9,8 @@ use crate::trace::{Ending, RayTree, Segment, SegmentId, TracedRay};
 const STUB: f64 = 14.0;
 /// Lines of one ray whose ends are all within this many pixels are one line to the eye.
 const COINCIDENT: f64 = 0.25;
+/// More spectral lines side by side have one arrowhead.
+pub(super) const FEW_LINES: usize = 6;
 
 /// A segment as the figure shows it.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +23,10 @@ pub(super) struct Branch<'a> {
     pub(super) share: f64,
     /// Whether it stands for several coincident spectral lines.
     pub(super) together: bool,
+    /// How many spectral lines its source ray has.
+    pub(super) lines: usize,
+    /// Whether an arrowhead stands for it; of many lines fanned out, one has it for all.
+    pub(super) arrow: bool,
     /// The visible part, pixels.
     pub(super) ends: [DVec2; 2],
 }
@@ -64,7 +70,7 @@ pub(super) fn visible<'a>(tree: &'a RayTree, frame: &Frame, faintest: f64) -> Ve
     let mut branches = Vec::new();
     for lines in tree.rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)) {
         match lines {
-            [ray] => branches.extend(ray.segments.iter().filter_map(|segment| single(ray, segment, frame))),
+            [ray] => branches.extend(ray.segments.iter().filter_map(|segment| single(ray, segment, 1, frame))),
             lines => several(lines, frame, &mut branches),
         }
     }
@@ -73,9 +79,10 @@ pub(super) fn visible<'a>(tree: &'a RayTree, frame: &Frame, faintest: f64) -> Ve
     branches
 }
 
-fn single<'a>(ray: &'a TracedRay, segment: &'a Segment, frame: &Frame) -> Option<Branch<'a>> {
+fn single<'a>(ray: &'a TracedRay, segment: &'a Segment, lines: usize, frame: &Frame) -> Option<Branch<'a>> {
     let ends = ends(segment, frame)?;
-    Some(Branch { ray, segment, power: segment.power.total(), share: share(ray, segment), together: false, ends })
+    let (power, share) = (segment.power.total(), share(ray, segment));
+    Some(Branch { ray, segment, power, share, together: false, lines, arrow: true, ends })
 }
 
 /// Branches of one ray's spectral lines: those of one path become one where they all coincide.
@@ -83,7 +90,7 @@ fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<
     let mut by_path: BTreeMap<String, Vec<Branch<'a>>> = BTreeMap::new();
     for ray in lines {
         for (segment, path) in ray.segments.iter().zip(paths(ray)) {
-            by_path.entry(path).or_default().extend(single(ray, segment, frame));
+            by_path.entry(path).or_default().extend(single(ray, segment, lines.len(), frame));
         }
     }
     for bundle in by_path.into_values() {
@@ -91,9 +98,18 @@ fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<
             Some(first) if bundle.len() > 1 && bundle.iter().all(|other| coincide(first, other)) => {
                 branches.push(merged(*first, &bundle));
             }
-            _ => branches.extend(bundle),
+            _ => branches.extend(fanned(bundle)),
         }
     }
+}
+
+/// The same lines, the arrowhead on the middle one if they are many.
+fn fanned(mut bundle: Vec<Branch<'_>>) -> Vec<Branch<'_>> {
+    let middle = bundle.len() / 2;
+    if bundle.len() > FEW_LINES {
+        bundle.iter_mut().enumerate().for_each(|(i, branch)| branch.arrow = i == middle);
+    }
+    bundle
 }
 
 fn merged<'a>(first: Branch<'a>, bundle: &[Branch<'a>]) -> Branch<'a> {

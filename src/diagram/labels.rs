@@ -1,11 +1,11 @@
 use glam::DVec2;
 
 use crate::diagram::{Figure, bodies, outline};
-use crate::drawing::{Anchor, Item, PathStep, Rect, Text};
+use crate::drawing::{Anchor, Color, Item, PathStep, Rect, Text};
 
 const SIZE: f64 = 12.0;
 /// Free space between a label and what it names, pixels.
-const GAP: f64 = 6.0;
+const GAP: f64 = 11.0;
 /// Lines beyond this many are not kept free.
 const MOST_LINES: usize = 3000;
 /// Cost of a label on a label or off the frame: such a place is never taken.
@@ -16,17 +16,16 @@ pub(super) fn labels(figure: &Figure<'_>, normals: &[Item]) -> Vec<Item> {
     if !figure.scene.diagram.labels {
         return Vec::new();
     }
-    let mut room = Room { area: figure.frame.area, lines: lines(figure, normals), taken: notes(figure) };
-    let shapes: Vec<Vec<Vec<DVec2>>> = (0..figure.system.bodies().len()).map(|k| shapes(figure, k)).collect();
+    let shapes: Vec<Vec<Shape>> = (0..figure.system.bodies().len()).map(|k| shapes(figure, k)).collect();
+    let mut room = Room { area: figure.frame.area, lines: lines(figure, &shapes, normals), taken: notes(figure) };
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
         let Some(words) = words(figure, k) else { continue };
-        let text = Text::new(words, DVec2::ZERO, SIZE, bodies::line_color(figure, k)).anchored(Anchor::Middle);
-        let text = text.classed("label");
+        let text = Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label");
         let later = &shapes[k + 1..];
-        let inside = room.best(&text, &inside(&shapes[k], later, &text));
+        let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area));
         let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
-            let beside = room.best(&text, &beside(&shapes[k], &text));
+            let beside = room.best(&text, &beside(&shapes[k], &text, &room.area));
             [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
         });
         if let Some((_, middle)) = place {
@@ -38,19 +37,32 @@ pub(super) fn labels(figure: &Figure<'_>, normals: &[Item]) -> Vec<Item> {
     items
 }
 
+/// The outline's color, deep enough to read on the fill.
+fn color(figure: &Figure<'_>, k: usize) -> Color {
+    bodies::line_color(figure, k).toward(figure.palette.ink, 0.25)
+}
+
 fn words<'a>(figure: &'a Figure<'_>, k: usize) -> Option<&'a str> {
     let body = figure.scene.bodies.get(k)?;
     body.label.as_deref().or(body.name.as_deref()).filter(|words| !words.trim().is_empty())
 }
 
-/// A body's outlines as chords.
-fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Vec<DVec2>> {
-    figure.system.bodies()[k].outlines.iter().map(|o| outline::flatten(&figure.frame, &o.curves)).collect()
+/// An outline as chords.
+struct Shape {
+    points: Vec<DVec2>,
+    /// Whether it has an inside.
+    filled: bool,
 }
 
-/// Rays and normals, which labels keep off.
-fn lines(figure: &Figure<'_>, normals: &[Item]) -> Vec<[DVec2; 2]> {
-    let mut lines: Vec<[DVec2; 2]> = Vec::new();
+fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
+    let outlines = figure.system.bodies()[k].outlines.iter();
+    outlines.map(|o| Shape { points: outline::flatten(&figure.frame, &o.curves), filled: o.closed }).collect()
+}
+
+/// Outlines, normals and rays, which labels keep off.
+fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], normals: &[Item]) -> Vec<[DVec2; 2]> {
+    let chords = shapes.iter().flatten().flat_map(|shape| shape.points.windows(2));
+    let mut lines: Vec<[DVec2; 2]> = chords.map(|pair| [pair[0], pair[1]]).collect();
     for item in normals {
         if let Item::Shape(shape) = item
             && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
@@ -69,10 +81,10 @@ fn notes(figure: &Figure<'_>) -> Vec<Rect> {
 }
 
 /// Middles of places inside a body's outline where the whole text fits and no later body covers it.
-fn inside(shapes: &[Vec<DVec2>], later: &[Vec<Vec<DVec2>>], text: &Text) -> Vec<(f64, DVec2)> {
+fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
     let mut places = Vec::new();
-    for shape in shapes {
-        let Some(bounds) = bounds([shape]) else { continue };
+    for shape in shapes.iter().filter(|shape| shape.filled) {
+        let Some(bounds) = seen([shape], area) else { continue };
         // A little below the middle is the natural place: light mostly crosses the middle.
         let home = bounds.center() + DVec2::new(0.0, 0.15 * bounds.size().y);
         for (column, row) in (1..12).flat_map(|column| (1..16).map(move |row| (column, row))) {
@@ -80,7 +92,11 @@ fn inside(shapes: &[Vec<DVec2>], later: &[Vec<Vec<DVec2>>], text: &Text) -> Vec<
             let middle = bounds.min + share * bounds.size();
             let rect = centered(text, middle).bounds().grown(3.0);
             let fits = rim(&rect).into_iter().all(|p| contains(shape, p));
-            let covered = later.iter().flatten().any(|other| rim(&rect).into_iter().any(|p| contains(other, p)));
+            let covered = later
+                .iter()
+                .flatten()
+                .filter(|other| other.filled)
+                .any(|other| rim(&rect).into_iter().any(|p| contains(other, p)));
             if fits && !covered {
                 places.push(((middle - home).length() / bounds.size().max_element(), middle));
             }
@@ -90,8 +106,8 @@ fn inside(shapes: &[Vec<DVec2>], later: &[Vec<Vec<DVec2>>], text: &Text) -> Vec<
 }
 
 /// Middles of places beside a body, from the nearest.
-fn beside(shapes: &[Vec<DVec2>], text: &Text) -> Vec<(f64, DVec2)> {
-    let Some(bounds) = bounds(shapes) else { return Vec::new() };
+fn beside(shapes: &[Shape], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
+    let Some(bounds) = seen(shapes, area) else { return Vec::new() };
     let half = 0.5 * text.bounds().size() + GAP;
     let mut places = Vec::new();
     for (i, share) in [0.5, 0.2, 0.8, 0.0, 1.0].into_iter().enumerate() {
@@ -109,11 +125,13 @@ fn beside(shapes: &[Vec<DVec2>], text: &Text) -> Vec<(f64, DVec2)> {
     places
 }
 
-fn bounds<'a>(shapes: impl IntoIterator<Item = &'a Vec<DVec2>>) -> Option<Rect> {
-    let mut points = shapes.into_iter().flatten();
+/// The box of what the frame shows of some outlines; `None` if it shows nothing.
+fn seen<'a>(shapes: impl IntoIterator<Item = &'a Shape>, area: &Rect) -> Option<Rect> {
+    let mut points = shapes.into_iter().flat_map(|shape| &shape.points);
     let first = *points.next()?;
     let start = Rect { min: first, max: first };
-    Some(points.fold(start, |rect, p| Rect { min: rect.min.min(*p), max: rect.max.max(*p) }))
+    let all = points.fold(start, |rect, p| Rect { min: rect.min.min(*p), max: rect.max.max(*p) });
+    all.overlaps(area).then(|| Rect { min: all.min.max(area.min), max: all.max.min(area.max) })
 }
 
 /// The text with the middle of its letters at a point.
@@ -137,7 +155,7 @@ fn rim(rect: &Rect) -> [DVec2; 8] {
 }
 
 /// Whether a closed polygon contains a point, by the even-odd rule.
-fn contains(polygon: &[DVec2], p: DVec2) -> bool {
+fn contains(Shape { points: polygon, .. }: &Shape, p: DVec2) -> bool {
     let mut inside = false;
     for (i, b) in polygon.iter().enumerate() {
         let a = polygon[if i == 0 { polygon.len() - 1 } else { i - 1 }];
@@ -167,7 +185,7 @@ impl Room {
         if off || self.taken.iter().any(|other| other.overlaps(rect)) {
             return FORBIDDEN;
         }
-        let wide = rect.grown(2.0);
+        let wide = rect.grown(6.0);
         let crossed = self.lines.iter().filter(|[a, b]| crate::diagram::frame::clip(*a, *b - *a, 1.0, &wide).is_some());
         crossed.map(|_| 10.0).sum()
     }

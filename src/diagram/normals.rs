@@ -13,7 +13,7 @@ const SHORTEST: f64 = 14.0;
 /// More hits than this make the normals shorter.
 const UNCROWDED: f64 = 5.0;
 /// Parallel normals closer than this are one, pixels.
-const COINCIDENT: f64 = 4.0;
+const COINCIDENT: f64 = 8.0;
 /// More would be noise.
 const MOST: usize = 400;
 /// Hits beyond this many are not looked at.

@@ -1,5 +1,5 @@
 use crate::drawing::Color;
-use crate::light::Wavelength;
+use crate::light::{Wavelength, readable_on_light, spectral_color};
 use crate::scene::Theme;
 use crate::trace::Via;
 
@@ -13,8 +13,6 @@ pub(super) struct Palette {
     pub(super) ink: Color,
     /// Caption, notes, normals.
     pub(super) quiet: Color,
-    /// Grid lines.
-    pub(super) faint: Color,
     /// Light, where its color tells nothing else.
     pub(super) ray: Color,
     /// Outlines of bodies and the words in them.
@@ -34,7 +32,6 @@ const LIGHT: Palette = Palette {
     ground: Color::hex(0xff_ff_ff),
     ink: Color::hex(0x1f_29_33),
     quiet: Color::hex(0x6b_77_85),
-    faint: Color::hex(0xe4_e8_ed),
     ray: Color::hex(0xc8_20_2f),
     outline: Color::hex(0x4f_78_a0),
     mirror: Color::hex(0x52_5f_6e),
@@ -48,7 +45,6 @@ const DARK: Palette = Palette {
     ground: Color::hex(0x10_16_1d),
     ink: Color::hex(0xee_f2_f6),
     quiet: Color::hex(0x9a_a8_b7),
-    faint: Color::hex(0x24_2e_39),
     ray: Color::hex(0xff_5a_54),
     outline: Color::hex(0x86_b0_d8),
     mirror: Color::hex(0xb4_c0_cd),
@@ -62,7 +58,6 @@ const PRINT: Palette = Palette {
     ground: Color::hex(0xff_ff_ff),
     ink: Color::hex(0x00_00_00),
     quiet: Color::hex(0x55_55_55),
-    faint: Color::hex(0xe0_e0_e0),
     ray: Color::hex(0x00_00_00),
     outline: Color::hex(0x50_50_50),
     mirror: Color::hex(0x30_30_30),
@@ -112,7 +107,7 @@ impl Palette {
     /// Color of light by how it came about.
     pub(super) fn via(&self, via: Via) -> Color {
         let [transmitted, reflected] = match self.theme {
-            Theme::Light => [Color::hex(0x15_65_a8), Color::hex(0xc0_64_00)],
+            Theme::Light => [Color::hex(0x15_65_a8), Color::hex(0xa8_4b_00)],
             Theme::Dark => [Color::hex(0x6c_b8_ff), Color::hex(0xff_b4_54)],
             Theme::Print => [Color::hex(0x40_40_40), Color::hex(0x80_80_80)],
         };
@@ -123,19 +118,4 @@ impl Palette {
             Via::TotalInternalReflection => self.accent,
         }
     }
-}
-
-fn spectral_color(wavelength: Wavelength) -> [u8; 3] {
-    match wavelength.nanometres() {
-        nm if nm < 450.0 => [110, 60, 255],
-        nm if nm < 495.0 => [0, 120, 255],
-        nm if nm < 570.0 => [0, 230, 60],
-        nm if nm < 590.0 => [255, 220, 0],
-        nm if nm < 620.0 => [255, 140, 0],
-        _ => [255, 20, 20],
-    }
-}
-
-fn readable_on_light(color: [u8; 3]) -> [u8; 3] {
-    color.map(|channel| channel / 4 * 3)
 }

@@ -13,6 +13,8 @@ const LEVELS: f64 = 24.0;
 const FAINTEST: f64 = 0.22;
 /// More source rays than this are drawn thinner.
 const UNCROWDED: f64 = 14.0;
+/// More spectral lines than this are drawn thinner, so that a spectrum shows its colors.
+const THICK_LINES: f64 = 4.0;
 /// Dashes that tell up to six lines apart without color.
 const PRINT_DASHES: [&[f64]; 6] = [&[], &[9.0, 3.0], &[3.0, 3.0], &[9.0, 3.0, 2.0, 3.0], &[14.0, 4.0], &[1.5, 2.5]];
 
@@ -70,21 +72,22 @@ pub(super) struct Styles<'a> {
     figure: &'a Figure<'a>,
     /// Bits of every wavelength in nanometres; for numbers above 0 their order is the numbers'.
     lines: BTreeSet<u64>,
+    /// Factor on all widths.
     crowding: f64,
 }
 
 impl<'a> Styles<'a> {
     pub(super) fn new(figure: &'a Figure<'a>) -> Self {
         let rays = &figure.tree.rays;
-        let lines = rays.iter().map(|ray| ray.wavelength.nanometres().to_bits()).collect();
+        let lines: BTreeSet<u64> = rays.iter().map(|ray| ray.wavelength.nanometres().to_bits()).collect();
         let strong = rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)).count();
-        let count = u32::try_from(strong).map_or(f64::INFINITY, f64::from);
-        Self { figure, lines, crowding: (UNCROWDED / count).sqrt().clamp(0.45, 1.0) }
+        Self { figure, lines, crowding: (UNCROWDED / number(strong)).sqrt().clamp(0.45, 1.0) }
     }
 
     /// The line of a branch whose strength was rounded to `strength`.
     pub(super) fn stroke(&self, branch: &Branch<'_>, strength: f64) -> Stroke {
-        let width = (0.8 + 1.6 * strength) * self.crowding;
+        let fanning = if branch.together { 1.0 } else { (THICK_LINES / number(branch.lines)).sqrt().clamp(0.45, 1.0) };
+        let width = (0.8 + 1.6 * strength) * (self.crowding * fanning).max(0.4);
         let stroke = Stroke::solid(self.color(branch), width).faded(opacity(strength));
         match PRINT_DASHES[self.dash(branch)] {
             [] => stroke,
@@ -115,4 +118,8 @@ impl<'a> Styles<'a> {
         let bits = branch.ray.wavelength.nanometres().to_bits();
         self.lines.iter().position(|line| *line == bits).unwrap_or(0)
     }
+}
+
+fn number(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }

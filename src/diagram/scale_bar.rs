@@ -4,7 +4,7 @@ use crate::diagram::{Figure, nice};
 use crate::drawing::{Anchor, Cap, Item, Path, Shape, Stroke, Text};
 
 /// Height that the bar takes below the scene, pixels.
-pub(super) const HEIGHT: f64 = 22.0;
+pub(super) const HEIGHT: f64 = 28.0;
 const LONGEST: f64 = 130.0;
 
 /// A bar of a round length at the right foot of the figure.

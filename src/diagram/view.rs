@@ -14,7 +14,7 @@ use crate::trace::{Ending, RayTree, Segment, TracedRay};
 /// Rays below this share of their source ray do not pull the view toward where they cross.
 const STRONG: f64 = 0.2;
 /// A crossing farther away than this many sizes of the scene is not worth a smaller figure.
-const REACH: f64 = 3.0;
+const REACH: f64 = 4.0;
 /// Free space around everything, as a share of the larger side.
 const MARGIN: f64 = 0.04;
 
@@ -54,36 +54,44 @@ fn things(scene: &Scene, system: &OpticalSystem, drawn: &Drawn<'_>) -> Vec<DVec2
     points
 }
 
-/// Ends of escaped rays when they get a fair length; weak ones get less.
+/// Ends of escaped rays when they get a fair length; weak ones get less, spectral lines more, since they fan out slowly.
 fn tails(drawn: &Drawn<'_>, height: f64) -> impl Iterator<Item = DVec2> {
-    escaped(drawn).map(move |(_, segment, share)| {
-        let length = if *share >= 0.1 { 0.3 } else { 0.15 };
-        segment.from + segment.direction * (length * height)
+    escaped(drawn).map(move |(ray, segment, share)| {
+        let length = if *share >= 0.1 { 0.35 } else { 0.2 };
+        let fanning = if ray.one_of_several_lines { 2.0 } else { 1.0 };
+        segment.from + segment.direction * (length * fanning * height)
     })
 }
 
-/// Where neighboring rays of a source cross after they left the bodies.
+/// Where neighboring rays cross after they left the bodies.
 fn crossings(drawn: &Drawn<'_>, things: &Extent, aspect: f64) -> Vec<DVec2> {
     let reach = REACH * things.size().max_element();
     let beyond = 0.2 * things.height_at(aspect);
-    let mut bundles: BTreeMap<(usize, u64, String), Vec<(usize, &Segment)>> = BTreeMap::new();
+    let mut bundles: BTreeMap<(u64, String), Vec<(&TracedRay, &Segment)>> = BTreeMap::new();
     let strong = drawn.iter().filter(|(_, segment, share)| *share >= STRONG && segment.ending == Ending::Escaped);
     let mut path_of = PathOf::default();
     for (ray, segment, _) in strong {
-        let key = (ray.source, ray.wavelength.nanometres().to_bits(), path_of.path(ray, segment));
-        bundles.entry(key).or_default().push((ray.ray, segment));
+        let key = (ray.wavelength.nanometres().to_bits(), path_of.path(ray, segment));
+        bundles.entry(key).or_default().push((ray, segment));
     }
     let pairs = bundles.values().flat_map(|bundle| bundle.windows(2));
-    pairs.filter_map(|pair| meet(pair[0], pair[1], reach, beyond)).collect()
+    let pairs = pairs.filter(|pair| neighbors(pair[0].0, pair[1].0));
+    pairs.filter_map(|pair| meet(pair[0].1, pair[1].1, reach, beyond)).collect()
 }
 
-/// A point a little beyond the crossing of two neighbors.
-fn meet((i, a): (usize, &Segment), (j, b): (usize, &Segment), reach: f64, beyond: f64) -> Option<DVec2> {
+/// Whether two rays stand side by side in one source, or come from one point in two sources.
+fn neighbors(a: &TracedRay, b: &TracedRay) -> bool {
+    let start = |ray: &TracedRay| ray.segments.first().map(|segment| segment.from);
+    if a.source == b.source { b.ray == a.ray + 1 } else { start(a) == start(b) }
+}
+
+/// A point a little beyond the crossing of two escaped segments.
+fn meet(a: &Segment, b: &Segment, reach: f64, beyond: f64) -> Option<DVec2> {
     let turn = cross(a.direction, b.direction);
     let apart = b.from - a.from;
     let [s, t] = [cross(apart, b.direction) / turn, cross(apart, a.direction) / turn];
     let ahead = |t: f64| t > 0.0 && t <= reach;
-    (j == i + 1 && ahead(s) && ahead(t)).then(|| a.from + a.direction * (s + beyond))
+    (ahead(s) && ahead(t)).then(|| a.from + a.direction * (s + beyond))
 }
 
 fn escaped<'a, 'b>(drawn: &'b Drawn<'a>) -> impl Iterator<Item = &'b (&'a TracedRay, &'a Segment, f64)> {

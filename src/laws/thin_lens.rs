@@ -53,6 +53,13 @@ mod tests {
     }
 
     #[test]
+    fn without_power_slopes_go_as_the_indices() {
+        // tan θ_i = 4/3 from n = 1.5 into 1.
+        let t = thin_lens(DVec2::new(0.6, 0.8), N, 7.0, f64::INFINITY, 1.5, 1.0);
+        assert!((t.y / t.x - 2.0).abs() < 1e-15);
+    }
+
+    #[test]
     fn edge_on_rays_go_on() {
         assert_eq!(thin_lens(DVec2::Y, N, 3.0, 40.0, 1.0, 1.0), DVec2::Y);
     }

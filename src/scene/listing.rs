@@ -51,8 +51,7 @@ fn snippet(problem: &Problem, text: &str, span: Range<usize>) -> String {
     let line = text[start..end].trim_end_matches('\r');
     let (number, _) = line_and_column(text, span.start);
     let marked = span.start - start..(span.end.max(span.start + 1) - start).min(line.len().max(span.start - start));
-    let mark =
-        AnnotationKind::Primary.span(marked).label((!problem.label.is_empty()).then_some(problem.label.as_str()));
+    let mark = AnnotationKind::Primary.span(marked).label((!problem.label.is_empty()).then_some(&*problem.label));
     let source = Snippet::source(line).line_start(number).annotation(mark);
     let report = [Level::ERROR.no_name().secondary_title("").element(source)];
     let shown = Renderer::plain().render(&report);
