@@ -87,7 +87,9 @@ mod tests {
         let (right, left) = (DVec2::new(3.0, 2.0), DVec2::new(-1.0, 2.0));
         for (a, b) in [(right, left), (left, right), (right.yx(), left.yx()), (left.yx(), right.yx())] {
             let disk = region(vec![Curve::arc_from_bulge(a, b, 1.0), Curve::arc_from_bulge(b, a, 1.0)]);
-            assert!(disk.contains(a.lerp(b, 0.25)) && !disk.contains(a.lerp(b, -0.25)) && !disk.contains(b.lerp(a, -0.25)));
+            assert!(
+                disk.contains(a.lerp(b, 0.25)) && !disk.contains(a.lerp(b, -0.25)) && !disk.contains(b.lerp(a, -0.25))
+            );
         }
     }
 }
