@@ -43,7 +43,7 @@ pub fn csv(system: &OpticalSystem, tree: &RayTree) -> String {
     in_memory(|out| write_csv(out, system, tree))
 }
 
-/// Writes what [`csv`] returns.
+/// Writes what [`csv()`] returns.
 ///
 /// # Errors
 /// When `out` cannot be written.

@@ -34,6 +34,36 @@ fn body_name(system: &OpticalSystem, body: usize) -> String {
 
 /// The share of a segment's power that the fractions `part` take, 0 to 1; of a segment without power, their mean.
 fn applied(part: Power, power: Power) -> f64 {
-    let share = part.times(power).total() / power.total();
-    if share.is_finite() { share } else { 0.5 * part.total() }
+    // What acts alike on s and p is shown as it is, not rounded by the weights.
+    if part.s.to_bits() == part.p.to_bits() {
+        return part.s;
+    }
+    let weight = power.s / power.total();
+    if weight.is_finite() {
+        part.times(Power { s: weight, p: power.p / power.total() }).total()
+    } else {
+        0.5 * part.total()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fractions_alike_on_s_and_p_stay_exact() {
+        let power = Power { s: 0.1 / 7.0, p: 0.3 / 11.0 };
+        for fraction in [0.0, 0.1, 0.3, 1.0 / 3.0, 1.0] {
+            assert_eq!(applied(Power::both(fraction), power), fraction);
+        }
+    }
+
+    #[test]
+    fn fractions_are_weighted_by_the_power_in_each_polarization() {
+        let part = Power { s: 0.5, p: 0.25 };
+        assert_eq!(applied(part, Power { s: 2e-3, p: 0.0 }), 0.5);
+        assert_eq!(applied(part, Power { s: 0.0, p: 7.0 }), 0.25);
+        assert_eq!(applied(part, Power { s: 0.75, p: 0.25 }), 0.4375);
+        assert_eq!(applied(part, Power::default()), 0.375);
+    }
 }

@@ -8,7 +8,7 @@
 use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
-use crate::numerics::{cross, side};
+use crate::numerics::{cross, is_counterclockwise, side};
 use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
@@ -86,7 +86,7 @@ impl Probe<'_> {
                 return !heads_left;
             }
         }
-        cross(self.ray.direction, p - self.ray.from) > 0.0
+        is_counterclockwise(self.ray.direction, p - self.ray.from)
     }
 
     /// Whether the ray's line passes between the ends of an interface; then whether it comes from its left.
