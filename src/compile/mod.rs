@@ -19,7 +19,7 @@ use crate::compile::region::Region;
 use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, Curve, Placement};
 use crate::media::Dispersion;
-use crate::scene::{Body, Medium, Problem, Problems, Scene, Substance, Surface};
+use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
 use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody};
 
 /// A compiled scene and what is suspicious about it.
@@ -37,6 +37,10 @@ pub struct Compiled {
 ///
 /// Every problem of the scene at once, each with its place, what is wrong and what would be right.
 pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
+    let problems = scene.validate();
+    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+        return Err(unplaced(problems));
+    }
     let mut media = Media::default();
     let surroundings = media.id(&scene.surroundings).map_err(|problem| unplaced(vec![problem]))?;
     let mut layout = Layout::default();
@@ -104,22 +108,12 @@ struct Media {
 
 impl Media {
     fn id(&mut self, medium: &Medium) -> Result<MediumId, Problem> {
-        let dispersion = dispersion(medium).ok_or_else(|| Problem::error("", "no such medium", ""))?;
+        let dispersion = medium.dispersion()?;
         let place = self.list.iter().position(|known| *known == dispersion).unwrap_or_else(|| {
             self.list.push(dispersion);
             self.list.len() - 1
         });
         Ok(MediumId(u32::try_from(place).unwrap_or(u32::MAX)))
-    }
-}
-
-fn dispersion(medium: &Medium) -> Option<Dispersion> {
-    match medium {
-        Medium::Index(n) => Dispersion::constant(*n).ok(),
-        Medium::Speed(v) => Dispersion::constant(crate::laws::index_from_speed(*v).ok()?).ok(),
-        Medium::Cauchy(coefficients) => Dispersion::cauchy(coefficients).ok(),
-        Medium::Sellmeier { b, c } => Dispersion::sellmeier(&[(b[0], c[0]), (b[1], c[1]), (b[2], c[2])]).ok(),
-        Medium::Catalog(name) => crate::media::catalog::find(name).map(|entry| entry.dispersion().clone()),
     }
 }
 
@@ -160,7 +154,9 @@ impl Layout {
             let mut first = None;
             for (path, in_scene) in shapes::outlines(&body.shape).iter().zip(&placed.outlines) {
                 let curves: Vec<_> = path.curves.iter().map(|curve| placement.curve(curve)).collect();
-                let reaches = in_scene.curves.iter().map(|curve| Bounds::from(curve).reach());
+                // Both placements round: coordinates far from the origin of the one may be near that of the other.
+                let reach = |(placed, relative)| Bounds::from(placed).reach().max(Bounds::from(relative).reach());
+                let reaches = in_scene.curves.iter().zip(&curves).map(reach);
                 let start = curves.first().map_or(DVec2::ZERO, |curve| curve.a);
                 let mut along = first.get_or_insert(start).distance(start);
                 for (curve, reach) in curves.iter().zip(reaches) {

@@ -1,4 +1,4 @@
-//! The ideal thin lens: Hecht, "Optics", 5th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and its ray-transfer form, section
+//! The ideal thin lens: Hecht, "Optics", 4th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and its ray-transfer form, section
 //! 6.2.1, with slopes in place of small angles, so that every object point has a sharp image.
 
 use glam::DVec2;
@@ -50,6 +50,13 @@ mod tests {
         // Light along −x: τ = −y, so a hit at y = +10 has height −10.
         let t = thin_lens(-DVec2::X, DVec2::X, -10.0, -20.0, 1.0, 1.0);
         assert!((t.y / t.x + 0.5).abs() < 1e-15 && t.y > 0.0, "{t}");
+    }
+
+    #[test]
+    fn without_power_slopes_go_as_the_indices() {
+        // tan θ_i = 4/3 from n = 1.5 into 1.
+        let t = thin_lens(DVec2::new(0.6, 0.8), N, 7.0, f64::INFINITY, 1.5, 1.0);
+        assert!((t.y / t.x - 2.0).abs() < 1e-15);
     }
 
     #[test]

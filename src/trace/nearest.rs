@@ -8,7 +8,7 @@
 use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
-use crate::numerics::{cross, side};
+use crate::numerics::{cross, is_counterclockwise, side};
 use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
@@ -69,24 +69,22 @@ impl Probe<'_> {
     fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
-            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.from_end(candidate, vertex), None],
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.off_vertex(candidate, vertex), None],
             _ if candidate.curve.is_straight() => [self.edge(candidate), None],
             _ => self.arc(candidate),
         }
     }
 
-    /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on follow
-    /// from the side it heads to.
+    /// Side of the ray on which a vertex lies: true is left. The ends of the interface that the ray stands on follow from
+    /// the side it heads to: both ends of an edge, and an arc's end that the ray stands at.
     fn is_left(&self, vertex: VertexId, p: DVec2) -> bool {
-        if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.is_straight()) {
-            if vertex == last.ends[0] {
-                return heads_left;
-            }
-            if vertex == last.ends[1] {
-                return !heads_left;
-            }
+        if let Some((last, heads_left)) = self.last
+            && let Some(end) = last.ends.iter().position(|end| *end == vertex)
+            && (last.curve.is_straight() || p.distance(self.ray.from) <= self.near)
+        {
+            return heads_left == (end == 0);
         }
-        cross(self.ray.direction, p - self.ray.from) > 0.0
+        is_counterclockwise(self.ray.direction, p - self.ray.from)
     }
 
     /// Whether the ray's line passes between the ends of an interface; then whether it comes from its left.
@@ -146,7 +144,7 @@ impl Probe<'_> {
     }
 
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
-    fn from_end(&self, candidate: &Interface, vertex: VertexId) -> Met {
+    fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Met {
         let Interface { curve, ends, .. } = candidate;
         let at = if ends[0] == vertex { curve.a } else { curve.b };
         let into_bulge = cross(curve.b - curve.a, self.ray.direction) * curve.curvature < 0.0;

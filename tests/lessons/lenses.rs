@@ -1,0 +1,5 @@
+//! Scenes of `scenes/lenses`.
+
+use crate::Lesson;
+
+pub const LESSONS: &[Lesson] = &[];

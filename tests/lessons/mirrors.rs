@@ -1,0 +1,5 @@
+//! Scenes of `scenes/mirrors`.
+
+use crate::Lesson;
+
+pub const LESSONS: &[Lesson] = &[];

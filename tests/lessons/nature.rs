@@ -1,0 +1,5 @@
+//! Scenes of `scenes/nature`.
+
+use crate::Lesson;
+
+pub const LESSONS: &[Lesson] = &[];

@@ -1,0 +1,5 @@
+//! Scenes of `scenes/prisms`.
+
+use crate::Lesson;
+
+pub const LESSONS: &[Lesson] = &[];

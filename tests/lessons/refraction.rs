@@ -1,0 +1,5 @@
+//! Scenes of `scenes/refraction`.
+
+use crate::Lesson;
+
+pub const LESSONS: &[Lesson] = &[];

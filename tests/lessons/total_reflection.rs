@@ -1,0 +1,5 @@
+//! Scenes of `scenes/total-reflection`.
+
+use crate::Lesson;
+
+pub const LESSONS: &[Lesson] = &[];
