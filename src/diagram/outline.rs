@@ -36,7 +36,12 @@ pub(super) fn path(frame: &Frame, curves: &[Curve], closed: bool) -> Path {
     }
     let mut path = Path::new();
     path.move_to(frame.place(first.a));
-    curves.iter().for_each(|curve| follow(frame, curve, &mut path));
+    // A straight edge back to the start is what closing draws.
+    let drawn = match curves {
+        [rest @ .., last] if closed && last.is_straight() => rest,
+        all => all,
+    };
+    drawn.iter().for_each(|curve| follow(frame, curve, &mut path));
     if closed {
         path.close();
     }

@@ -107,7 +107,7 @@ impl Palette {
     /// Color of light by how it came about.
     pub(super) fn via(&self, via: Via) -> Color {
         let [transmitted, reflected] = match self.theme {
-            Theme::Light => [Color::hex(0x15_65_a8), Color::hex(0xc0_64_00)],
+            Theme::Light => [Color::hex(0x15_65_a8), Color::hex(0xa8_4b_00)],
             Theme::Dark => [Color::hex(0x6c_b8_ff), Color::hex(0xff_b4_54)],
             Theme::Print => [Color::hex(0x40_40_40), Color::hex(0x80_80_80)],
         };

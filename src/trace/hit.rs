@@ -85,16 +85,21 @@ impl Arrival<'_> {
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
-        let height = (self.at - center).dot(self.normal.perp());
+        let height = (self.at - center).dot(self.tangent());
         let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
         let hit = Hit {
             n_t: Some(self.n_t),
             cos_t: Some(-self.normal.dot(direction)),
-            sin_t: Some(self.normal.perp().dot(direction)),
+            sin_t: Some(self.tangent().dot(direction)),
             transmittance: Power::both(1.0),
             ..self.bare_hit()
         };
         Outcome { hit, transmitted: Some((Via::Transmission, direction)), reflected: None }
+    }
+
+    /// The boundary's tangent τ: −N turned counter-clockwise by 90°, along which sines count.
+    fn tangent(&self) -> DVec2 {
+        -self.normal.perp()
     }
 
     fn bare_hit(&self) -> Hit {
@@ -105,7 +110,7 @@ impl Arrival<'_> {
             n_i: self.n_i,
             n_t: None,
             cos_i: (-n.dot(v)).max(0.0),
-            sin_i: n.perp().dot(v),
+            sin_i: self.tangent().dot(v),
             cos_t: None,
             sin_t: None,
             reflectance: Power::default(),

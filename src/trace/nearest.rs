@@ -8,7 +8,7 @@
 use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
-use crate::numerics::{cross, side};
+use crate::numerics::{cross, is_counterclockwise, side};
 use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
@@ -75,18 +75,16 @@ impl Probe<'_> {
         }
     }
 
-    /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on follow
-    /// from the side it heads to.
+    /// Side of the ray on which a vertex lies: true is left. The ends of the interface that the ray stands on follow from
+    /// the side it heads to: both ends of an edge, and an arc's end that the ray stands at.
     fn is_left(&self, vertex: VertexId, p: DVec2) -> bool {
-        if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.is_straight()) {
-            if vertex == last.ends[0] {
-                return heads_left;
-            }
-            if vertex == last.ends[1] {
-                return !heads_left;
-            }
+        if let Some((last, heads_left)) = self.last
+            && let Some(end) = last.ends.iter().position(|end| *end == vertex)
+            && (last.curve.is_straight() || p.distance(self.ray.from) <= self.near)
+        {
+            return heads_left == (end == 0);
         }
-        cross(self.ray.direction, p - self.ray.from) > 0.0
+        is_counterclockwise(self.ray.direction, p - self.ray.from)
     }
 
     /// Whether the ray's line passes between the ends of an interface; then whether it comes from its left.

@@ -53,7 +53,7 @@ impl Kind {
             Self::Group => "values in parentheses",
             Self::Fields => "named fields in parentheses",
             Self::Name => "a word",
-            Self::Other => "something else",
+            Self::Other => "braces or single quotes",
         }
     }
 }
@@ -152,6 +152,11 @@ impl<'a> Node<'a> {
     pub(super) fn plain<T: serde::Deserialize<'a>>(&self) -> Option<T> {
         ron::from_str(self.text).ok()
     }
+}
+
+/// Whether the text turns on a part of ron other than leaving out `Some`, which would change what values mean.
+pub(super) fn enables_extensions(text: &str) -> bool {
+    reader(text).is_some_and(|de| de.extensions() != ron::extensions::Extensions::IMPLICIT_SOME)
 }
 
 /// Checks the whole text as ron.
