@@ -9,7 +9,7 @@ use crate::Lesson;
 use crate::measure::{acos, along, asin, changed, exit, index, index_at, near, path, ray, sin, theta_i, turn};
 use crate::support::{Run, segment};
 
-pub const LESSONS: &[Lesson] = &[
+pub(crate) const LESSONS: &[Lesson] = &[
     ("nature/halo", ice_turns_by_22_degrees_at_least),
     ("nature/mirage", hot_air_turns_the_ray_upward),
     ("nature/rainbow-descartes", descartes_ray_is_turned_least),

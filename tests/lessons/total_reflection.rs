@@ -7,7 +7,7 @@ use crate::Lesson;
 use crate::measure::{asin, changed, fresnel, index, near, no_branch, only_ray, sin, theta_i, theta_t};
 use crate::support::{Run, segment};
 
-pub const LESSONS: &[Lesson] = &[
+pub(crate) const LESSONS: &[Lesson] = &[
     ("total-reflection/brilliant", diamond_returns_more_than_glass),
     ("total-reflection/half-disk-above", nothing_is_transmitted_above),
     ("total-reflection/half-disk-at", nothing_is_transmitted_at),
@@ -25,10 +25,12 @@ fn critical() -> f64 {
 fn most_is_transmitted_below(run: &Run) {
     let ray = only_ray(run);
     let flat = segment(ray, "t").hit.unwrap();
-    near(flat.theta_i_degrees(), 30.0, 1e-12);
-    assert!(flat.theta_i_degrees() < critical() && !flat.total_internal_reflection);
-    near(theta_t(ray, "t"), asin(0.75), 1e-12);
-    let (s, p) = fresnel(1.5, 1.0, 30.0);
+    let theta = flat.theta_i_degrees();
+    near(theta, 30.0, 0.01);
+    assert!(theta < critical() && !flat.total_internal_reflection);
+    near(theta_t(ray, "t"), asin(1.5 * sin(theta)), 1e-12);
+    near(theta_t(ray, "t"), 48.6, 0.05);
+    let (s, p) = fresnel(1.5, 1.0, theta);
     near(segment(ray, "tr").power.total() / segment(ray, "t").power.total(), 0.5 * (s + p), 1e-14);
     near(0.5 * (s + p), 0.055, 5e-4);
 }
@@ -44,7 +46,7 @@ fn nothing_is_transmitted_at(run: &Run) {
 fn nothing_is_transmitted_above(run: &Run) {
     let ray = only_ray(run);
     let flat = segment(ray, "t").hit.unwrap();
-    near(flat.theta_i_degrees(), 50.0, 1e-12);
+    near(flat.theta_i_degrees(), 50.0, 0.01);
     assert!(flat.theta_i_degrees() > critical());
     assert_eq!(flat.theta_t_degrees(), None);
     everything_is_reflected(ray);
