@@ -194,7 +194,7 @@ fn every_surface_has_its_sign() {
                 (shape: Arc(from: (30, -5), through: (32, 0), to: (30, 5)), surface: Mirror),
                 (shape: Flat(from: (-30, -5), to: (-30, 5)), surface: Screen, name: "wall"),
             ],
-            sources: [(light: Ray(from: (-10, 1), direction: Angle(0)))],
+            sources: [(light: Ray(from: (-10, 0.5), direction: Angle(0)))],
         )"#);
     let document = Document::parse(&text).unwrap();
     for class in ["thin-lens", "beam-splitter", "absorber", "mirror", "mirror-back", "screen"] {
