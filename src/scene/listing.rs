@@ -33,9 +33,11 @@ fn render(problem: &Problem, lines: &Lines<'_>, file: &str) -> String {
     let span = problem.span.clone().filter(|span| lines.text.get(span.clone()).is_some());
     let place = span.as_ref().map_or(String::new(), |span| {
         let (line, column) = lines.place(span.start);
-        format!("{line}:{column}:")
+        format!("{line}:{column}: ")
     });
-    let mut out = format!("{file}:{place} {severity}: {}\n", problem.message);
+    let file = if file.is_empty() { String::new() } else { format!("{file}:") };
+    let gap = if place.is_empty() && !file.is_empty() { " " } else { "" };
+    let mut out = format!("{file}{gap}{place}{severity}: {}\n", problem.message);
     out.extend(span.map(|span| lines.snippet(span, &problem.label)));
     // Writing to a string cannot fail.
     if !problem.path.is_empty() {
@@ -131,5 +133,6 @@ mod tests {
     #[test]
     fn places_outside_of_the_text_are_left_out() {
         assert_eq!(shown("é", 1..7), "f: error: wrong\n");
+        assert_eq!(render_problems(&[Problem::error("", "wrong", "")], "", ""), "error: wrong\n");
     }
 }

@@ -1,7 +1,7 @@
 use glam::DVec2;
 
 use super::checker::{Checker, show_point};
-use super::crossing::first_crossing;
+use super::crossing::{Fault, first_fault};
 use crate::geometry::Curve;
 use crate::numerics::{Sum, cross};
 use crate::scene::{MAX_LENGTH, MAX_POINTS, PathStep, Problem};
@@ -104,12 +104,20 @@ fn check_chain(c: &mut Checker, path: &str, at: impl Fn(usize) -> String, curves
         Problem::error(path, "the outline encloses no area", "move the points apart: they lie on one line")
             .label("no area")
     });
-    if let Some((i, j)) = first_crossing(curves).filter(|_| area) {
-        let [first, second] = [i, j].map(|k| described(&curves[k]));
-        let message = format!("the outline crosses or touches itself: {first} meets {second}");
-        let help = "put the points in the order in which they follow each other around the shape";
-        c.problems.push(Problem::error(at(i), message, help).label("one of the two begins here"));
-    }
+    let problem = match first_fault(curves).filter(|_| area) {
+        None => return,
+        Some(Fault::Meet(i, j)) => {
+            let [first, second] = [i, j].map(|k| described(&curves[k]));
+            let message = format!("the outline crosses or touches itself: {first} meets {second}");
+            let help = "put the points in the order in which they follow each other around the shape";
+            Problem::error(at(i), message, help).label("one of the two begins here")
+        }
+        Some(Fault::TooTangled) => {
+            let message = "the outline has too many long edges side by side to check that none of them cross";
+            Problem::error(path, message, "use fewer points, or several bodies").label("too many")
+        }
+    };
+    c.problems.push(problem);
 }
 
 fn described(curve: &Curve) -> String {
