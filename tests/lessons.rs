@@ -4,6 +4,8 @@ mod support;
 
 #[path = "lessons/lenses.rs"]
 mod lenses;
+#[path = "lessons/measure.rs"]
+mod measure;
 #[path = "lessons/mirrors.rs"]
 mod mirrors;
 #[path = "lessons/nature.rs"]

@@ -16,7 +16,7 @@ const COINCIDENCE: f64 = 16.0 * 0.5 * f64::EPSILON;
 pub(crate) struct Boundary {
     /// Relative to the system's origin.
     pub(crate) curve: Curve,
-    /// Largest absolute coordinate in the scene.
+    /// Largest absolute coordinate in the scene and relative to the origin.
     pub(crate) reach: f64,
     /// Place of its outline among all outlines.
     pub(crate) outline: usize,

@@ -51,8 +51,13 @@ impl Sides<'_> {
     fn medium_beside(&self, piece: &Piece, left: bool) -> MediumId {
         let middle = piece.curve.midpoint();
         let holds = |region: &&Region| {
-            let own = piece.members.iter().find(|member| self.boundaries[member.boundary].outline == region.outline);
-            own.map_or_else(|| region.contains(middle), |member| (region.inside_left == member.forward) == left)
+            let is_own = |member: &&Member| self.boundaries[member.boundary].outline == region.outline;
+            let own: Vec<_> = piece.members.iter().filter(is_own).collect();
+            match own[..] {
+                // An outline that runs here there and back leaves both sides alike.
+                [member, ..] if own.len() % 2 == 1 => (region.inside_left == member.forward) == left,
+                _ => region.contains(middle),
+            }
         };
         self.regions.iter().rev().find(holds).map_or(self.surroundings, |region| region.medium)
     }

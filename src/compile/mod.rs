@@ -154,7 +154,9 @@ impl Layout {
             let mut first = None;
             for (path, in_scene) in shapes::outlines(&body.shape).iter().zip(&placed.outlines) {
                 let curves: Vec<_> = path.curves.iter().map(|curve| placement.curve(curve)).collect();
-                let reaches = in_scene.curves.iter().map(|curve| Bounds::from(curve).reach());
+                // Both placements round: coordinates far from the origin of the one may be near that of the other.
+                let reach = |(placed, relative)| Bounds::from(placed).reach().max(Bounds::from(relative).reach());
+                let reaches = in_scene.curves.iter().zip(&curves).map(reach);
                 let start = curves.first().map_or(DVec2::ZERO, |curve| curve.a);
                 let mut along = first.get_or_insert(start).distance(start);
                 for (curve, reach) in curves.iter().zip(reaches) {

@@ -29,13 +29,19 @@ impl Region {
     ///
     /// Counts the chords that a ray towards +x crosses, in exact arithmetic, and the arcs' segments that hold the point.
     pub(crate) fn contains(&self, p: DVec2) -> bool {
-        let crosses = |curve: &Curve| {
-            let passes =
-                (curve.a.y > p.y) != (curve.b.y > p.y) && (side(curve.a, curve.b, p) > 0.0) == (curve.b.y > curve.a.y);
-            passes != curve.segment_holds(p)
-        };
-        self.bounds.contains(p) && self.curves.iter().filter(|curve| crosses(curve)).count() % 2 == 1
+        self.bounds.contains(p) && self.curves.iter().filter(|curve| crosses(curve, p)).count() % 2 == 1
     }
+}
+
+/// Whether a ray from `p` towards +x crosses the curve an odd number of times.
+fn crosses(curve: &Curve, p: DVec2) -> bool {
+    let Curve { a, b, curvature, .. } = *curve;
+    let turn = side(a, b, p);
+    let passes = (a.y > p.y) != (b.y > p.y) && (turn > 0.0) == (b.y > a.y);
+    // A point on the chord is taken where the crossing rule takes it: to its right, or above a level one.
+    let left = turn > 0.0 || (turn == 0.0 && b.y - a.y == 0.0 && b.x > a.x);
+    let in_segment = !curve.is_straight() && left == (curvature < 0.0) && curve.offset(p) * curvature > 0.0;
+    passes != in_segment
 }
 
 /// Whether a closed outline runs counter-clockwise, by its signed area.
@@ -46,6 +52,8 @@ fn turns_left(curves: &[Curve], about: DVec2) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2Swizzles;
+
     use super::*;
 
     fn region(curves: Vec<Curve>) -> Region {
@@ -72,5 +80,16 @@ mod tests {
         let triangle = region(vec![Curve::line(a, b), Curve::line(b, c), Curve::line(c, a)]);
         assert!(!triangle.inside_left);
         assert!(triangle.contains(DVec2::splat(0.25)) && !triangle.contains(DVec2::splat(0.75)));
+    }
+
+    #[test]
+    fn a_disk_holds_its_diameter() {
+        let (right, left) = (DVec2::new(3.0, 2.0), DVec2::new(-1.0, 2.0));
+        for (a, b) in [(right, left), (left, right), (right.yx(), left.yx()), (left.yx(), right.yx())] {
+            let disk = region(vec![Curve::arc_from_bulge(a, b, 1.0), Curve::arc_from_bulge(b, a, 1.0)]);
+            assert!(
+                disk.contains(a.lerp(b, 0.25)) && !disk.contains(a.lerp(b, -0.25)) && !disk.contains(b.lerp(a, -0.25))
+            );
+        }
     }
 }

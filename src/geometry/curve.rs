@@ -120,6 +120,21 @@ impl Curve {
         p - self.offset(p) * self.normal_at(p)
     }
 
+    /// A point of the curve's line or circle if it lies between the ends, else the nearer end. For an arc of at most half
+    /// a circle.
+    #[must_use]
+    pub fn clamp(&self, p: DVec2) -> DVec2 {
+        let before = (p - self.a).dot(self.tangent_at(self.a)) < 0.0;
+        let after = (p - self.b).dot(self.tangent_at(self.b)) > 0.0;
+        if !before && !after {
+            p
+        } else if p.distance_squared(self.a) < p.distance_squared(self.b) {
+            self.a
+        } else {
+            self.b
+        }
+    }
+
     /// How far along the chord a point lies: grows from 0 at `a` to the squared chord at `b`, monotone along an edge
     /// and along an arc of at most half a circle.
     #[must_use]

@@ -3,6 +3,7 @@
 mod interface;
 mod placed;
 
+pub(crate) use interface::{SAME, rounding};
 pub use interface::{Action, Interface, MediumId, VertexId};
 pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
