@@ -13,6 +13,8 @@ mod mirrors;
 mod nature;
 #[path = "lessons/prisms.rs"]
 mod prisms;
+#[path = "lessons/rays.rs"]
+mod rays;
 #[path = "lessons/refraction.rs"]
 mod refraction;
 #[path = "lessons/total_reflection.rs"]
