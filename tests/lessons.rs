@@ -1,5 +1,7 @@
 //! What each scene teaches, as an assertion of its own: a golden file alone can pin wrong physics.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 mod support;
 
 #[path = "lessons/lenses.rs"]
