@@ -53,7 +53,7 @@ fn descartes_ray_is_turned_least(run: &Run) {
     near(least, drop_deviation(n, descartes_height(n, 1), 1), 1e-10);
     near(least, 138.0, 0.05);
     near(descartes_height(n, 1) / DROP, 0.861, 5e-4);
-    for number in 0..11 {
+    for number in 0..9 {
         let ray = ray(run, 0, number);
         near(turned(ray, "trt"), drop_deviation(n, ray.segments[0].from.y, 1), 1e-10);
         assert!(turned(ray, "trt") > least);
@@ -104,24 +104,22 @@ fn the_sky_stands_in_a_cone(run: &Run) {
     near(window, 48.6, 0.05);
     for ray in &run.trace.tree.rays {
         let from_zenith = turn(DVec2::Y, ray.segments[0].direction);
-        let leaving = exit(ray);
         if from_zenith.abs() < window {
-            near(turn(DVec2::Y, leaving.direction), asin(n * sin(from_zenith)), 1e-10);
+            near(turn(DVec2::Y, segment(ray, "t").direction), asin(n * sin(from_zenith)), 1e-10);
         } else {
-            assert_eq!(path(ray, leaving), "i");
+            assert!(segment(ray, "").hit.unwrap().total_internal_reflection);
         }
     }
-    assert_eq!((edge(run, window - 1e-9).as_str(), edge(run, window + 1e-9).as_str()), ("t", "i"));
+    assert!(!edge_is_mirrored(run, window - 1e-9) && edge_is_mirrored(run, window + 1e-9));
 }
 
-/// The way of the outermost ray of a fan of this half-angle.
-fn edge(run: &Run, half_angle: f64) -> String {
+/// Whether the outermost ray of a fan of this half-angle is totally reflected.
+fn edge_is_mirrored(run: &Run, half_angle: f64) -> bool {
     let fan = changed(run, |scene| {
         let Light::Fan { spread, .. } = &mut scene.sources[0].light else { panic!("a fan") };
         *spread = 2.0 * half_angle;
     });
-    let outermost = ray(&fan, 0, 16);
-    path(outermost, exit(outermost))
+    segment(ray(&fan, 0, 16), "").hit.unwrap().total_internal_reflection
 }
 
 fn hot_air_turns_the_ray_upward(run: &Run) {

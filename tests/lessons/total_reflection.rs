@@ -61,16 +61,12 @@ fn everything_is_reflected(ray: &TracedRay) {
 
 fn every_bounce_is_total(run: &Run) {
     let n = index("PMMA");
-    let (s, p) = fresnel(1.0, n, 30.0);
-    let arrives = (2.0 * (1.0 - 0.5 * (s + p)) + (1.0 - normal_reflectance(n))) / 3.0;
-    arrives_by_total_reflection(run, arrives);
-    for number in [0, 2] {
-        let ray = &run.trace.tree.rays[number];
-        let bounces: Vec<_> = inner_hits(ray).collect();
-        assert!(bounces.len() >= 4);
-        for theta in bounces {
-            near(theta, 90.0 - asin(sin(30.0) / n), 1e-12);
-        }
+    let enters = |theta| 1.0 - 0.5 * (fresnel(1.0, n, theta).0 + fresnel(1.0, n, theta).1);
+    arrives_by_total_reflection(run, (enters(0.0) + enters(15.0) + enters(30.0)) / 3.0);
+    for (ray, (theta, bounces)) in run.trace.tree.rays.iter().zip([(0.0, 0), (15.0, 2), (30.0, 4)]) {
+        near(theta_i(ray, ""), theta, 1e-12);
+        assert_eq!(inner_hits(ray).count(), bounces);
+        assert!(inner_hits(ray).all(|hit| (hit - (90.0 - asin(sin(theta) / n))).abs() < 1e-12));
     }
 }
 
