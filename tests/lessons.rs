@@ -1,8 +1,6 @@
 //! What each scene teaches, as an assertion of its own: a golden file alone can pin wrong physics.
 #![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a lesson may fail, and may ask for equal bits")]
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod support;
 
 #[path = "lessons/lenses.rs"]
