@@ -1,23 +1,22 @@
 //! Scenes of `scenes/mirrors`.
 
 use glam::DVec2;
-use libm::{asin, cos, sin};
-
 use snellius::scene::{Direction, Light};
 use snellius::trace::{Segment, TracedRay};
 
 use crate::Lesson;
+use crate::measure::{asin, changed, cos, sin};
 use crate::rays::{assert_near, distance, focus, height, is_ahead, meet, out, rays, slope, x_at};
-use crate::support::{Run, run_scene};
+use crate::support::Run;
 
 pub(crate) const LESSONS: &[Lesson] = &[
     ("mirrors/caustic", reflected_rays_touch_the_nephroid),
-    ("mirrors/center_of_curvature", light_from_the_center_comes_back),
+    ("mirrors/center-of-curvature", light_from_the_center_comes_back),
     ("mirrors/concave", a_concave_mirror_focuses_at_half_its_radius),
     ("mirrors/convex", a_convex_mirror_has_a_virtual_focus_at_half_its_radius),
-    ("mirrors/optical_square", two_mirrors_turn_by_twice_their_angle),
+    ("mirrors/optical-square", two_mirrors_turn_by_twice_their_angle),
     ("mirrors/plane", a_plane_mirror_images_behind_itself),
-    ("mirrors/retroreflecting_ball", a_ball_of_index_two_sends_light_back),
+    ("mirrors/retroreflecting-ball", a_ball_of_index_two_sends_light_back),
 ];
 
 /// The rays of a source off the axis, each with its height.
@@ -76,10 +75,10 @@ pub(crate) fn light_from_the_center_comes_back(run: &Run) {
     let image = DVec2::new(0.0, -6.0);
     assert!(distance(tip[2], image) < 1e-13, "the ray by the mirror's vertex");
     assert!(tip.iter().all(|ray| distance(ray, image) < 0.5), "the others come near");
-    let mut small = run.scene.clone();
-    small.sources[1].light =
-        Light::Fan { from: DVec2::new(0.0, 1e-3), direction: Direction::Angle(0.0), spread: 40.0, rays: 5 };
-    let small = run_scene(small);
+    let small = changed(run, |scene| {
+        let from = DVec2::new(0.0, 1e-3);
+        scene.sources[1].light = Light::Fan { from, direction: Direction::Angle(0.0), spread: 40.0, rays: 5 };
+    });
     let tip = reflected(&small, "tip");
     assert!(tip.iter().all(|ray| distance(ray, DVec2::new(0.0, -1e-3)) < 1e-7), "a small object's image is sharp");
 }
@@ -119,7 +118,7 @@ pub(crate) fn a_ball_of_index_two_sends_light_back(run: &Run) {
         errors.push((h, error));
     }
     assert_eq!(errors.len(), 3);
-    assert_near(errors[1].1.to_degrees(), 0.7, 0.06, "the caption's error");
+    assert_near(errors[1].1, 0.7, 0.06, "the caption's error");
     let cubic = |(h, error): (f64, f64)| error / (h * h * h);
     assert_near(cubic(errors[0]) / cubic(errors[1]), 1.0, 0.1, "it falls with the cube of the height");
 }

@@ -1,14 +1,11 @@
-//! Readings of a trace, and closed forms to hold them against, that several lessons share.
+//! Bundles of rays about an axis: where they cross, and the closed forms of lenses that say where they must.
 
 use glam::DVec2;
-use libm::{asin, sin, tan};
-
-use snellius::light::Wavelength;
-use snellius::media::catalog;
 use snellius::scene::Light;
 use snellius::trace::{Segment, TracedRay};
 
-use crate::support::{Run, run_scene};
+use crate::measure::{asin, changed, sin, tan};
+use crate::support::Run;
 
 /// All rays of the source with this name, in order.
 pub(crate) fn rays<'a>(run: &'a Run, source: &str) -> Vec<&'a TracedRay> {
@@ -59,6 +56,7 @@ pub(crate) fn is_ahead(segment: &Segment, p: DVec2) -> bool {
     segment.direction.dot(p - segment.from) > 0.0
 }
 
+#[track_caller]
 pub(crate) fn assert_near(actual: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((actual - expected).abs() <= tolerance, "{what}: {actual}, not {expected} within {tolerance:e}");
 }
@@ -71,23 +69,13 @@ pub(crate) fn spread(values: impl IntoIterator<Item = f64>) -> f64 {
 
 /// The same scene with every beam narrowed to two rays at this height on both sides of its middle.
 pub(crate) fn narrowed(run: &Run, half_width: f64) -> Run {
-    let mut scene = run.scene.clone();
-    for source in &mut scene.sources {
-        if let Light::Beam { width, rays, .. } = &mut source.light {
-            (*width, *rays) = (2.0 * half_width, 2);
+    changed(run, |scene| {
+        for source in &mut scene.sources {
+            if let Light::Beam { width, rays, .. } = &mut source.light {
+                (*width, *rays) = (2.0 * half_width, 2);
+            }
         }
-    }
-    run_scene(scene)
-}
-
-/// Index of a medium of the catalog at the d line.
-pub(crate) fn n_d(name: &str) -> f64 {
-    index(name, Wavelength::D)
-}
-
-/// Index of a medium of the catalog.
-pub(crate) fn index(name: &str, wavelength: Wavelength) -> f64 {
-    catalog::find(name).unwrap().dispersion().index(wavelength)
+    })
 }
 
 /// Focal length, and distance of the rear focus from the rear vertex, of a thick lens of relative index n: the lensmaker's

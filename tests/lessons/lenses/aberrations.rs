@@ -3,9 +3,10 @@
 use snellius::light::Wavelength;
 use snellius::trace::TracedRay;
 
+use crate::measure::{index, index_at};
 use crate::rays::{
-    Face, assert_cross_as_computed, assert_near, axis_crossing, focus, height, index, lensmaker, n_d, narrowed, out,
-    rays, slope, spread, x_at,
+    Face, assert_cross_as_computed, assert_near, axis_crossing, focus, height, lensmaker, narrowed, out, rays, slope,
+    spread, x_at,
 };
 use crate::support::Run;
 
@@ -18,7 +19,7 @@ fn spherical_aberration(n: f64, q: f64) -> f64 {
 }
 
 pub(crate) fn the_curved_face_first_is_four_times_better(run: &Run) {
-    let n = n_d("N-BK7");
+    let n = index("N-BK7");
     let faces = |radii: [f64; 2]| {
         [Face { vertex: -3.0, radius: radii[0], index: n }, Face { vertex: 3.0, radius: radii[1], index: 1.0 }]
     };
@@ -38,7 +39,7 @@ pub(crate) fn the_curved_face_first_is_four_times_better(run: &Run) {
 }
 
 pub(crate) fn rim_rays_cross_earlier(run: &Run) {
-    let n = n_d("N-BK7");
+    let n = index("N-BK7");
     let faces =
         [Face { vertex: -14.0, radius: f64::INFINITY, index: n }, Face { vertex: 0.0, radius: -40.0, index: 1.0 }];
     assert_cross_as_computed(run, "beam", 0.0, &faces);
@@ -53,7 +54,7 @@ pub(crate) fn blue_crosses_before_red(run: &Run) {
     let upper: Vec<&TracedRay> = rays(run, "beam").into_iter().filter(|ray| height(ray, 0.0) > 0.0).collect();
     let crossings: Vec<_> = upper.iter().map(|ray| x_at(out(ray), 0.0)).collect();
     for (ray, crossing) in upper.iter().zip(&crossings) {
-        let n = index("N-SF11", ray.wavelength);
+        let n = index_at("N-SF11", ray.wavelength);
         let faces =
             [Face { vertex: -3.5, radius: 50.0, index: n }, Face { vertex: 3.5, radius: f64::INFINITY, index: 1.0 }];
         assert_near(*crossing, axis_crossing(&faces, 12.0), 1e-9, &format!("crossing of {}", ray.name()));
@@ -86,13 +87,13 @@ pub(crate) fn the_achromat_joins_the_colors_that_the_singlet_spreads(run: &Run) 
         assert!(doublet.abs() < 0.2 * singlet, "F–C spread {doublet} against {singlet}");
         assert_near(singlet, 3.0, 0.1, "the caption's spread");
     }
-    let [f, d, c] = LINES.map(|line| index("SF5", line));
+    let [f, d, c] = LINES.map(|line| index_at("SF5", line));
     let [blue, _, red] = crossings(&narrow, "upper", 15.0);
     assert_near((red - blue) / singlet * (d - 1.0) / (f - c), 1.0, 0.03, "spread f/V of the singlet");
     for (line, expected) in LINES.iter().zip(crossings(run, "lower", -15.0)) {
         let faces = [
-            Face { vertex: 0.0, radius: 53.24, index: index("N-BK7", *line) },
-            Face { vertex: 7.0, radius: -46.89, index: index("SF5", *line) },
+            Face { vertex: 0.0, radius: 53.24, index: index_at("N-BK7", *line) },
+            Face { vertex: 7.0, radius: -46.89, index: index_at("SF5", *line) },
             Face { vertex: 10.0, radius: -182.91, index: 1.0 },
         ];
         assert_near(axis_crossing(&faces, 11.0), expected, 1e-9, "crossing behind the achromat");

@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use snellius::numerics::tan_degrees;
 use snellius::trace::{Ending, Segment, TracedRay};
 
+use crate::measure::tan;
 use crate::rays::{assert_near, distance, narrowed, out, rays, slope, spread, x_at, y_at};
 use crate::support::Run;
 
@@ -30,7 +30,7 @@ fn assert_telescope(run: &Run, focal_lengths: [f64; 2]) {
     let magnification = -first / second;
     for (source, degrees) in [("star on the axis", 0.0), ("star off the axis", 3.0)] {
         let star = rays(run, source);
-        let before = tan_degrees(degrees);
+        let before = tan(degrees);
         for ray in &star {
             assert_near(slope(&ray.segments[0]), before, 1e-15, "slope before");
             assert_near(slope(out(ray)), magnification * before, 1e-14, "slope behind");
@@ -39,7 +39,7 @@ fn assert_telescope(run: &Run, focal_lengths: [f64; 2]) {
         let widths = [1, 2].map(|k| spread(star.iter().map(|ray| ray.segments[k].from.y)));
         assert_near(widths[0] / widths[1], magnification.abs(), 1e-12, "width");
     }
-    assert_near(tan_degrees(11.8), 4.0 * tan_degrees(3.0), 0.001, "the caption's angle");
+    assert_near(tan(11.8), 4.0 * tan(3.0), 0.001, "the caption's angle");
 }
 
 pub(crate) fn kepler_turns_light_four_times_as_far_to_the_other_side(run: &Run) {
@@ -94,7 +94,7 @@ pub(crate) fn three_fields_pass_the_stop_and_are_sharp(run: &Run) {
         assert!(spread(at_stop) > 0.95 * 6.2, "{source} fills the stop");
         let image = || field.iter().map(|ray| out(ray).to.unwrap().y);
         assert!(spread(image()) < 0.06, "{source} is sharp: {}", spread(image()));
-        let expected = focal_length * tan_degrees(degrees);
+        let expected = focal_length * tan(degrees);
         assert_near(image().sum::<f64>() / 5.0, expected, 0.03, "image height f tan θ");
     }
 }
