@@ -1,7 +1,5 @@
 //! The rays of sources: where each starts, where it heads, and what it stands in.
 
-use std::cmp::Ordering;
-
 use glam::DVec2;
 
 use crate::compile::arrangement::{lies_on, tolerance};
@@ -117,9 +115,9 @@ impl Ground<'_> {
         })?;
         let near = rounding(self.interfaces);
         let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
-        let order = |sector: &Sector| sector.order(direction, near);
-        let before = sectors.min_by(|u, v| order(u).partial_cmp(&order(v)).unwrap_or(Ordering::Equal))?;
-        Some((Start::AtVertex(vertex), before.medium))
+        let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
+        let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first) { second } else { first })?;
+        Some((Start::AtVertex(vertex), before.1.medium))
     }
 }
 
@@ -136,18 +134,23 @@ struct Sector {
 }
 
 impl Sector {
-    /// Grows with the counter-clockwise turn from the interface to a ray; of two that run along the ray the one that bends
-    /// less away from it comes first. A ray along an edge, up to rounding, is on its left.
-    fn order(&self, direction: DVec2, near: f64) -> (f64, f64) {
+    /// A measure of the counter-clockwise angle to a ray, growing from 0 to 4 over the full turn. A ray along an edge, up to
+    /// rounding, is on its left.
+    fn turn_to(&self, direction: DVec2, near: f64) -> f64 {
         let (sin, cos) = (cross(self.along, direction), self.along.dot(direction));
         let is_along = cos > 0.0 && if self.bend == 0.0 { sin.abs() * self.length <= near } else { sin.abs() <= SAME };
-        let turn = match (is_along, sin >= 0.0) {
+        match (is_along, sin >= 0.0) {
             (true, _) if self.bend > 0.0 => 4.0,
             (true, _) => 0.0,
             (false, true) => 1.0 - cos / (sin + cos.abs()),
             (false, false) => 3.0 + cos / (cos.abs() - sin),
-        };
-        (turn, -self.bend)
+        }
+    }
+
+    /// Whether it is nearer to a ray than another, each with its turn to it; of two tangent ones that which bends more
+    /// towards the ray.
+    fn is_nearer((turn, sector): &(f64, Self), (other_turn, other): &(f64, Self)) -> bool {
+        if (turn - other_turn).abs() <= SAME { sector.bend > other.bend } else { turn < other_turn }
     }
 }
 

@@ -69,7 +69,7 @@ impl Probe<'_> {
     fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
-            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.from_end(candidate, vertex), None],
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.off_vertex(candidate, vertex), None],
             _ if candidate.curve.is_straight() => [self.edge(candidate), None],
             _ => self.arc(candidate),
         }
@@ -84,16 +84,22 @@ impl Probe<'_> {
         {
             return heads_left == (end == 0);
         }
+<<<<<<< HEAD
         let turn = self.ray.direction.perp_dot(p - self.ray.from);
         if turn.abs() > self.near { turn > 0.0 } else { self.passes_on_the_right() }
+=======
+        let turn = cross(self.ray.direction, p - self.ray.from);
+        if turn.abs() > self.near { turn > 0.0 } else { self.leaves_on_the_left(p) }
+>>>>>>> laws
     }
 
-    /// On which side of vertices ahead a ray passes that runs through them, up to rounding: true is their right. It tilts
-    /// away from the interface it stands on; any other ray leaves them on its right.
-    fn passes_on_the_right(&self) -> bool {
+    /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
+    /// away from the interface it stands on; any other ray has such vertices on its right.
+    fn leaves_on_the_left(&self, p: DVec2) -> bool {
         self.last.is_some_and(|(last, heads_left)| {
             let along = last.curve.tangent_at(self.ray.from).dot(self.ray.direction) > 0.0;
-            heads_left != along
+            let ahead = (p - self.ray.from).dot(self.ray.direction) > 0.0;
+            (heads_left != along) == ahead
         })
     }
 
@@ -106,8 +112,11 @@ impl Probe<'_> {
 
     fn edge(&self, candidate: &Interface) -> Met {
         let from_left = self.passes_from_left(candidate)?;
-        let Curve { m, n, .. } = candidate.curve;
+        let Curve { a, b, m, n, .. } = candidate.curve;
+        let along = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
         let distance = n.dot(m - self.ray.from) / n.dot(self.ray.direction);
+        // An edge along the ray, up to rounding, is met between its ends too.
+        let distance = distance.max(along[0].min(along[1])).min(along[0].max(along[1]));
         self.ahead(candidate, distance).map(|distance| (distance, from_left))
     }
 
@@ -154,10 +163,12 @@ impl Probe<'_> {
     }
 
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
-    fn from_end(&self, candidate: &Interface, vertex: VertexId) -> Met {
+    fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Met {
         let Interface { curve, ends, .. } = candidate;
-        let at = if ends[0] == vertex { curve.a } else { curve.b };
-        let into_bulge = cross(curve.b - curve.a, self.ray.direction) * curve.curvature < 0.0;
+        let at_start = ends[0] == vertex;
+        let (at, other, far) = if at_start { (curve.a, ends[1], curve.b) } else { (curve.b, ends[0], curve.a) };
+        // An arc that turns left bulges to the right of its chord, which is there if the other end is on the ray's left.
+        let into_bulge = (self.is_left(other, far) == at_start) == (curve.curvature > 0.0);
         let distance = 2.0 * curve.normal_at(at).dot(self.ray.direction) / curve.curvature;
         (into_bulge && distance > self.near && distance.is_finite()).then_some((distance, curve.curvature > 0.0))
     }
