@@ -65,6 +65,11 @@ pub mod trace;
 #[doc(hidden)]
 pub mod cli;
 
+/// The README's Rust examples, tested with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 pub use compile::{Compiled, compile};
 pub use scene::Scene;
 pub use system::OpticalSystem;

@@ -198,7 +198,7 @@ fn what_is_no_text_file_is_told() {
     let run = place.run(&["check", ".", "latin.ron"]).status(1);
     let stderr = run.stderr();
     assert!(stderr.contains(".: cannot be read: this is a folder"), "{stderr}");
-    assert!(stderr.contains("latin.ron:2:13: this is not UTF-8 text"), "{stderr}");
+    assert!(stderr.contains("latin.ron:2:13: error: the file is not text in UTF-8"), "{stderr}");
 }
 
 #[test]

@@ -73,26 +73,9 @@ fn read(path: &Path, file: &str) -> Result<String, Fault> {
         Ok(length) if length > MAX_TEXT_BYTES => {
             Err(Fault(format!("{file}: this is too long for a scene: at most {MAX_TEXT_BYTES} bytes are read")))
         }
-        Ok(_) => decode(bytes, file),
-    }
-}
-
-fn decode(bytes: Vec<u8>, file: &str) -> Result<String, Fault> {
-    String::from_utf8(bytes).map_err(|error| {
-        let good = String::from_utf8_lossy(&error.as_bytes()[..error.utf8_error().valid_up_to()]);
-        let line = good.matches('\n').count() + 1;
-        let column = good.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-        Fault(format!("{file}:{line}:{column}: this is not UTF-8 text: save the scene in the encoding UTF-8"))
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_byte_that_is_no_text_is_placed() {
-        let Fault(message) = decode(b"(\n  title: \"\xff\")".to_vec(), "a.ron").unwrap_err();
-        assert!(message.starts_with("a.ron:2:11: "), "{message}");
+        Ok(_) => match scene::text_of(&bytes, file) {
+            Ok(text) => Ok(text.to_owned()),
+            Err(problems) => Err(Fault(format!("{}\n", problems.to_string().trim_end()))),
+        },
     }
 }

@@ -146,6 +146,9 @@ impl<'a> Arrangement<'a> {
     fn cut_at_crossings(&mut self, i: usize, j: usize) {
         let tolerance = self.pair_tolerance(i, j);
         for p in crossings(&self.boundaries[i].curve, &self.boundaries[j].curve, tolerance) {
+            if self.meet_before(i, j, p, tolerance) {
+                continue;
+            }
             let known = [self.known_at(i, p, tolerance), self.known_at(j, p, tolerance)];
             let vertex = known[0].or(known[1]).unwrap_or_else(|| {
                 self.points.push(p);
@@ -161,6 +164,16 @@ impl<'a> Arrangement<'a> {
                 }
             }
         }
+    }
+
+    /// Whether two boundaries share a vertex and are one from there to a point where they cross: at a small angle they cross
+    /// again beside it by rounding.
+    fn meet_before(&self, i: usize, j: usize, p: DVec2, tolerance: f64) -> bool {
+        let vertices = |k: usize| self.ends[k].iter().chain(&self.cuts[k]).map(|&point| self.vertex(point));
+        let shared = vertices(i).filter(|vertex| vertices(j).any(|other| other == *vertex));
+        let [first, second] = [i, j].map(|k| &self.boundaries[k].curve);
+        let apart = |vertex: usize| second.offset(first.project(self.points[vertex].midpoint(p))).abs();
+        shared.into_iter().any(|vertex| apart(vertex) <= tolerance)
     }
 
     /// The end or cut of a boundary within `tolerance` of a point.

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side};
 
-/// Points inside both curves where one passes through the other. Curves that lie on one line or circle within
+/// Points inside both curves where one passes through the other or touches it within `tolerance`. Curves that lie on one line or circle within
 /// `tolerance` have none.
 pub(crate) fn crossings(first: &Curve, second: &Curve, tolerance: f64) -> Vec<DVec2> {
     if coincide(first, second, tolerance) {
@@ -13,9 +13,9 @@ pub(crate) fn crossings(first: &Curve, second: &Curve, tolerance: f64) -> Vec<DV
     }
     match (first.is_straight(), second.is_straight()) {
         (true, true) => line_line(first, second).into_iter().collect(),
-        (true, false) => line_arc(first, second),
-        (false, true) => line_arc(second, first),
-        (false, false) => arc_arc(first, second),
+        (true, false) => line_arc(first, second, tolerance),
+        (false, true) => line_arc(second, first, tolerance),
+        (false, false) => arc_arc(first, second, tolerance),
     }
 }
 
@@ -33,7 +33,7 @@ fn line_line(first: &Curve, second: &Curve) -> Option<DVec2> {
     proper.then(|| second.a.lerp(second.b, from / (from - to)))
 }
 
-fn line_arc(line: &Curve, arc: &Curve) -> Vec<DVec2> {
+fn line_arc(line: &Curve, arc: &Curve, tolerance: f64) -> Vec<DVec2> {
     let direction = (line.b - line.a).normalize_or_zero();
     let length = line.a.distance(line.b);
     let on_both = |t: f64| {
@@ -41,13 +41,31 @@ fn line_arc(line: &Curve, arc: &Curve) -> Vec<DVec2> {
         (0.0 < t && t < length && arc.bulge_holds(p)).then_some(p)
     };
     let roots = CircleRoots::new(arc, line.a, direction);
-    let distances = if roots.meets { vec![roots.from_left, roots.from_right] } else { Vec::new() };
+    // The line's point nearest to the center: a touch is one point, not two close ones or none by rounding.
+    let middle = 0.5 * (roots.from_left + roots.from_right);
+    let distances = if arc.offset(line.a + middle * direction).abs() <= tolerance {
+        vec![middle]
+    } else if roots.meets {
+        vec![roots.from_left, roots.from_right]
+    } else {
+        Vec::new()
+    };
     distances.into_iter().filter_map(on_both).collect()
 }
 
-fn arc_arc(first: &Curve, second: &Curve) -> Vec<DVec2> {
+fn arc_arc(first: &Curve, second: &Curve, tolerance: f64) -> Vec<DVec2> {
     let on_both = |p: &DVec2| first.bulge_holds(*p) && second.bulge_holds(*p);
-    circle_circle(first, second).into_iter().flatten().filter(on_both).collect()
+    let touch = touch(first, second, tolerance);
+    let points = if touch.is_some() { [touch, None] } else { circle_circle(first, second) };
+    points.into_iter().flatten().filter(on_both).collect()
+}
+
+/// The point where two circles touch within `tolerance`: on the line through their centers.
+fn touch(first: &Curve, second: &Curve, tolerance: f64) -> Option<DVec2> {
+    let (center, radius) = (first.center(), first.curvature.abs().recip());
+    let axis = (second.center() - center).normalize_or_zero();
+    let facing = [center + radius * axis, center - radius * axis].map(|p| first.project(p));
+    facing.into_iter().find(|p| second.offset(*p).abs() <= tolerance)
 }
 
 /// The two common points of two circles, each brought to rounding error by Newton steps on both circles at once.

@@ -39,7 +39,7 @@ fn crosses(curve: &Curve, p: DVec2) -> bool {
     let turn = side(a, b, p);
     let passes = (a.y > p.y) != (b.y > p.y) && (turn > 0.0) == (b.y > a.y);
     // A point on the chord is taken where the crossing rule takes it: to its right, or above a level one.
-    let left = turn > 0.0 || (turn == 0.0 && a.y == b.y && b.x > a.x);
+    let left = turn > 0.0 || (turn == 0.0 && b.y - a.y == 0.0 && b.x > a.x);
     let in_segment = !curve.is_straight() && left == (curvature < 0.0) && curve.offset(p) * curvature > 0.0;
     passes != in_segment
 }
@@ -87,7 +87,9 @@ mod tests {
         let (right, left) = (DVec2::new(3.0, 2.0), DVec2::new(-1.0, 2.0));
         for (a, b) in [(right, left), (left, right), (right.yx(), left.yx()), (left.yx(), right.yx())] {
             let disk = region(vec![Curve::arc_from_bulge(a, b, 1.0), Curve::arc_from_bulge(b, a, 1.0)]);
-            assert!(disk.contains(a.lerp(b, 0.25)) && !disk.contains(a.lerp(b, -0.25)) && !disk.contains(b.lerp(a, -0.25)));
+            assert!(
+                disk.contains(a.lerp(b, 0.25)) && !disk.contains(a.lerp(b, -0.25)) && !disk.contains(b.lerp(a, -0.25))
+            );
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::compile::region::Region;
 use crate::light::{Power, Wavelength};
 use crate::numerics::{Turn, cross};
 use crate::scene::{Direction, Light, Polarization, Source};
-use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId};
+use crate::system::{Interface, MediumId, PlacedSource, RayStart, SAME, Start, VertexId, rounding};
 
 /// What rays start among.
 pub(crate) struct Ground<'a> {
@@ -113,33 +113,57 @@ impl Ground<'_> {
             let ends = [(interface.curve.a, interface.ends[0]), (interface.curve.b, interface.ends[1])];
             ends.into_iter().find(|(p, _)| p.distance(from) <= tolerance).map(|(_, vertex)| vertex)
         })?;
-        let sides = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
-        let nearest = sides.min_by(|(u, _), (v, _)| turn_to(*u, direction).total_cmp(&turn_to(*v, direction)))?;
-        Some((Start::AtVertex(vertex), nearest.1))
+        let near = rounding(self.interfaces);
+        let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
+        let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
+        let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first) { second } else { first })?;
+        Some((Start::AtVertex(vertex), before.1.medium))
     }
 }
 
-/// Directions in which an interface leaves a vertex, with the medium on its counter-clockwise side.
-fn sectors(interface: &Interface, vertex: VertexId) -> Vec<(DVec2, MediumId)> {
+/// The way in which an interface leaves a vertex.
+struct Sector {
+    /// Unit direction.
+    along: DVec2,
+    /// How far a straight edge goes on; 0 for an arc.
+    length: f64,
+    /// Positive where it bends counter-clockwise.
+    bend: f64,
+    /// The medium on its counter-clockwise side.
+    medium: MediumId,
+}
+
+impl Sector {
+    /// A measure of the counter-clockwise angle to a ray, growing from 0 to 4 over the full turn. A ray along an edge, up to
+    /// rounding, is on its left.
+    fn turn_to(&self, direction: DVec2, near: f64) -> f64 {
+        let (sin, cos) = (cross(self.along, direction), self.along.dot(direction));
+        let is_along = cos > 0.0 && if self.bend == 0.0 { sin.abs() * self.length <= near } else { sin.abs() <= SAME };
+        match (is_along, sin >= 0.0) {
+            (true, _) if self.bend > 0.0 => 4.0,
+            (true, _) => 0.0,
+            (false, true) => 1.0 - cos / (sin + cos.abs()),
+            (false, false) => 3.0 + cos / (cos.abs() - sin),
+        }
+    }
+
+    /// Whether it is nearer to a ray than another, each with its turn to it; of two tangent ones that which bends more
+    /// towards the ray.
+    fn is_nearer((turn, sector): &(f64, Self), (other_turn, other): &(f64, Self)) -> bool {
+        if (turn - other_turn).abs() <= SAME { sector.bend > other.bend } else { turn < other_turn }
+    }
+}
+
+/// The ways in which an interface leaves a vertex.
+fn sectors(interface: &Interface, vertex: VertexId) -> Vec<Sector> {
     let Interface { curve, ends, left, right, .. } = interface;
+    let length = if curve.is_straight() { curve.length() } else { 0.0 };
     let mut sectors = Vec::new();
     if ends[0] == vertex {
-        sectors.push((curve.tangent_at(curve.a), *left));
+        sectors.push(Sector { along: curve.tangent_at(curve.a), length, bend: curve.curvature, medium: *left });
     }
     if ends[1] == vertex {
-        sectors.push((-curve.tangent_at(curve.b), *right));
+        sectors.push(Sector { along: -curve.tangent_at(curve.b), length, bend: -curve.curvature, medium: *right });
     }
     sectors
-}
-
-/// A measure of the counter-clockwise angle from `u` to `v`, growing from 0 to 4 over the full turn.
-fn turn_to(u: DVec2, v: DVec2) -> f64 {
-    let (sin, cos) = (cross(u, v), u.dot(v));
-    if sin == 0.0 && cos > 0.0 {
-        0.0
-    } else if sin >= 0.0 {
-        1.0 - cos
-    } else {
-        3.0 + cos
-    }
 }

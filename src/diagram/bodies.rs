@@ -2,6 +2,7 @@ use crate::diagram::{Figure, outline};
 use crate::drawing::{Color, Fill, Group, Item, Path, Rect, Shape, Stroke};
 use crate::geometry::Curve;
 use crate::light::Wavelength;
+use crate::scene::Substance;
 use crate::system::{Action, Interface, MediumId, Outline};
 
 /// Width of the boundary between two media, pixels.
@@ -26,19 +27,26 @@ pub(super) fn bodies(figure: &Figure<'_>) -> Vec<Item> {
     items
 }
 
-fn filled(outlines: &[Outline]) -> Vec<(&Outline, MediumId)> {
-    outlines.iter().filter_map(|outline| Some((outline, outline.medium?))).collect()
+/// A part of a body that a medium fills.
+struct Filled<'a> {
+    outline: &'a Outline,
+    medium: MediumId,
+    /// Its box in the scene.
+    bounds: Rect,
+}
+
+fn filled(outlines: &[Outline]) -> Vec<Filled<'_>> {
+    let filled = outlines.iter().filter_map(|outline| Some((outline, outline.medium?)));
+    filled.map(|(outline, medium)| Filled { outline, medium, bounds: bounds(outline) }).collect()
 }
 
 /// Before which body's fill the outlines of body k are drawn: before the first later one of another medium that may
 /// cover it. A later body of the same medium leaves them visible, since there the boundary vanishes but the shape stays.
-fn outline_turn(bodies: &[Vec<(&Outline, MediumId)>], k: usize) -> usize {
-    let covers = |later: &Vec<(&Outline, MediumId)>| {
-        later.iter().any(|(outline, medium)| {
-            bodies[k].iter().any(|(own, own_medium)| own_medium != medium && bounds(own).overlaps(&bounds(outline)))
-        })
+fn outline_turn(bodies: &[Vec<Filled<'_>>], k: usize) -> usize {
+    let covers = |other: &Filled<'_>| {
+        bodies[k].iter().any(|own| own.medium != other.medium && own.bounds.overlaps(&other.bounds))
     };
-    (k + 1..bodies.len()).find(|j| covers(&bodies[*j])).unwrap_or(bodies.len())
+    (k + 1..bodies.len()).find(|j| bodies[*j].iter().any(covers)).unwrap_or(bodies.len())
 }
 
 fn bounds(outline: &Outline) -> Rect {
@@ -54,18 +62,21 @@ fn surroundings(figure: &Figure<'_>) -> Option<Item> {
     (color != figure.palette.ground).then(|| Shape::filled(area, Fill::solid(color), "surroundings").into())
 }
 
-fn fills(figure: &Figure<'_>, k: usize, body: &[(&Outline, MediumId)]) -> Item {
+fn fills(figure: &Figure<'_>, k: usize, body: &[Filled<'_>]) -> Item {
     let own = own_color(figure, k);
-    let shapes = body.iter().map(|(outline, medium)| {
+    let shapes = body.iter().map(|Filled { outline, medium, .. }| {
         let path = outline::path(&figure.frame, &outline.curves, outline.closed);
         Shape::filled(path, Fill::solid(own.unwrap_or_else(|| tint(figure, *medium))), "").into()
     });
     named(figure, k, shapes.collect())
 }
 
-fn outlines(figure: &Figure<'_>, k: usize, body: &[(&Outline, MediumId)]) -> Vec<Item> {
+fn outlines(figure: &Figure<'_>, k: usize, body: &[Filled<'_>]) -> Vec<Item> {
     let stroke = Stroke::solid(line_color(figure, k), OUTLINE_WIDTH).faded(0.7);
-    let lines = body.iter().map(|(outline, _)| {
+    // The space between the elements of a lens group has no shape of its own.
+    let group = figure.scene.bodies.get(k).is_some_and(|body| body.substance == Substance::Elements);
+    let shaped = body.iter().filter(|part| !group || part.medium != figure.system.surroundings());
+    let lines = shaped.map(|Filled { outline, .. }| {
         let path = outline::path(&figure.frame, &outline.curves, outline.closed);
         Shape::stroked(path, stroke.clone(), "outline").into()
     });

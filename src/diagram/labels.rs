@@ -1,5 +1,6 @@
 use glam::DVec2;
 
+use crate::diagram::frame::clip;
 use crate::diagram::{Figure, bodies, outline};
 use crate::drawing::{Anchor, Color, Item, PathStep, Rect, Text};
 
@@ -52,11 +53,17 @@ struct Shape {
     points: Vec<DVec2>,
     /// Whether it has an inside.
     filled: bool,
+    bounds: Rect,
 }
 
 fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
     let outlines = figure.system.bodies()[k].outlines.iter();
-    outlines.map(|o| Shape { points: outline::flatten(&figure.frame, &o.curves), filled: o.closed }).collect()
+    let shapes = outlines.filter_map(|outline| {
+        let points = outline::flatten(&figure.frame, &outline.curves);
+        let [min, max] = [points.iter().copied().reduce(DVec2::min)?, points.iter().copied().reduce(DVec2::max)?];
+        Some(Shape { points, filled: outline.closed, bounds: Rect { min, max } })
+    });
+    shapes.collect()
 }
 
 /// Outlines, normals and rays, which labels keep off.
@@ -92,17 +99,17 @@ fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> V
             let middle = bounds.min + share * bounds.size();
             let rect = centered(text, middle).bounds().grown(3.0);
             let fits = rim(&rect).into_iter().all(|p| contains(shape, p));
-            let covered = later
-                .iter()
-                .flatten()
-                .filter(|other| other.filled)
-                .any(|other| rim(&rect).into_iter().any(|p| contains(other, p)));
-            if fits && !covered {
+            if fits && !later.iter().flatten().any(|other| covers(other, &rect)) {
                 places.push(((middle - home).length() / bounds.size().max_element(), middle));
             }
         }
     }
     places
+}
+
+/// Whether a later body hides a part of a place.
+fn covers(shape: &Shape, rect: &Rect) -> bool {
+    shape.filled && shape.bounds.overlaps(rect) && rim(rect).into_iter().any(|p| contains(shape, p))
 }
 
 /// Middles of places beside a body, from the nearest.
@@ -127,10 +134,8 @@ fn beside(shapes: &[Shape], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
 
 /// The box of what the frame shows of some outlines; `None` if it shows nothing.
 fn seen<'a>(shapes: impl IntoIterator<Item = &'a Shape>, area: &Rect) -> Option<Rect> {
-    let mut points = shapes.into_iter().flat_map(|shape| &shape.points);
-    let first = *points.next()?;
-    let start = Rect { min: first, max: first };
-    let all = points.fold(start, |rect, p| Rect { min: rect.min.min(*p), max: rect.max.max(*p) });
+    let join = |a: Rect, b: Rect| Rect { min: a.min.min(b.min), max: a.max.max(b.max) };
+    let all = shapes.into_iter().map(|shape| shape.bounds).reduce(join)?;
     all.overlaps(area).then(|| Rect { min: all.min.max(area.min), max: all.max.min(area.max) })
 }
 
@@ -176,17 +181,23 @@ struct Room {
 impl Room {
     /// The cheapest place and its cost; `None` if every one is forbidden.
     fn best(&self, text: &Text, places: &[(f64, DVec2)]) -> Option<(f64, DVec2)> {
-        let costs = places.iter().map(|(cost, p)| (cost + self.cost(&centered(text, *p).bounds()), *p));
+        let rects: Vec<Rect> = places.iter().map(|(_, p)| centered(text, *p).bounds()).collect();
+        let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
+        let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all)).collect();
+        let costs = places.iter().zip(&rects).map(|((cost, p), rect)| (cost + self.cost(rect, &near), *p));
         costs.filter(|(cost, _)| *cost < FORBIDDEN).min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    fn cost(&self, rect: &Rect) -> f64 {
+    fn cost(&self, rect: &Rect, lines: &[&[DVec2; 2]]) -> f64 {
         let off = !(self.area.contains(rect.min) && self.area.contains(rect.max));
         if off || self.taken.iter().any(|other| other.overlaps(rect)) {
             return FORBIDDEN;
         }
-        let wide = rect.grown(6.0);
-        let crossed = self.lines.iter().filter(|[a, b]| crate::diagram::frame::clip(*a, *b - *a, 1.0, &wide).is_some());
-        crossed.map(|_| 10.0).sum()
+        lines.iter().filter(|line| crosses(line, rect)).map(|_| 10.0).sum()
     }
+}
+
+/// Whether a line comes closer to a place than is good to read.
+fn crosses([a, b]: &[DVec2; 2], rect: &Rect) -> bool {
+    clip(*a, *b - *a, 1.0, &rect.grown(6.0)).is_some()
 }

@@ -14,7 +14,7 @@ const FAINTEST: f64 = 0.22;
 /// More source rays than this are drawn thinner.
 const UNCROWDED: f64 = 14.0;
 /// More spectral lines than this are drawn thinner, so that a spectrum shows its colors.
-const THICK_LINES: f64 = 4.0;
+const THICK_LINES: f64 = 1.5;
 /// Dashes that tell up to six lines apart without color.
 const PRINT_DASHES: [&[f64]; 6] = [&[], &[9.0, 3.0], &[3.0, 3.0], &[9.0, 3.0, 2.0, 3.0], &[14.0, 4.0], &[1.5, 2.5]];
 

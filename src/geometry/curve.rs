@@ -36,7 +36,9 @@ impl Curve {
     pub fn arc(a: DVec2, through: DVec2, b: DVec2) -> Option<Self> {
         let (first, second) = (through - a, b - through);
         let turn = cross(first, second);
-        let bulge = turn / (first.length() * second.length() + first.dot(second));
+        // Half the angle between the two chords, in the form that does not cancel.
+        let (lengths, dot) = (first.length() * second.length(), first.dot(second));
+        let bulge = if dot >= 0.0 { turn / (lengths + dot) } else { (lengths - dot) / turn };
         if turn == 0.0 || !bulge.is_finite() || a == b {
             return None;
         }
@@ -65,29 +67,25 @@ impl Curve {
         self.m + self.n / self.curvature
     }
 
-    /// A point on the curve halfway along. An arc of more than half a circle must have its apex at `m`.
+    /// The point of the curve halfway along.
     #[must_use]
     pub fn midpoint(&self) -> DVec2 {
         let (chord, middle) = (self.b - self.a, 0.5 * (self.a + self.b));
         if self.is_straight() {
             return middle;
         }
-        if self.spans_more_than_half() {
-            return self.m;
-        }
         let bent = 0.5 * chord.length() * self.curvature;
-        let sagitta_per_half_chord = bent / (1.0 + (1.0 - bent * bent).max(0.0).sqrt());
+        let rest = 1.0 + (1.0 - bent * bent).max(0.0).sqrt();
+        let sagitta_per_half_chord = if self.spans_more_than_half() { rest / bent } else { bent / rest };
         self.project(middle - 0.5 * sagitta_per_half_chord * chord.perp())
     }
 
-    /// Whether an arc goes more than half way round its circle; `m` is then its apex.
+    /// Whether an arc goes more than half way round its circle: its center lies on the side to which it bulges.
     #[must_use]
     pub fn spans_more_than_half(&self) -> bool {
-        let (to_a, to_b) = (self.m.distance(self.a), self.m.distance(self.b));
-        let apex_between = (to_a - to_b).abs() <= 1e-6 * (to_a + to_b);
-        // The apex of a larger arc stands higher over the chord than half of it.
-        let height = self.m.distance(0.5 * (self.a + self.b));
-        !self.is_straight() && apex_between && 2.0 * height > self.a.distance(self.b) * (1.0 + 1e-12)
+        let chord = self.b - self.a;
+        // Rounding must not make half a circle more than half.
+        !self.is_straight() && cross(chord, self.normal_at(self.a)) < -1e-12 * chord.length()
     }
 
     /// Unit normal to the left of the direction of travel at a point on the curve.
@@ -118,6 +116,21 @@ impl Curve {
     #[must_use]
     pub fn project(&self, p: DVec2) -> DVec2 {
         p - self.offset(p) * self.normal_at(p)
+    }
+
+    /// A point of the curve's line or circle if it lies between the ends, else the nearer end. For an arc of at most half
+    /// a circle.
+    #[must_use]
+    pub fn clamp(&self, p: DVec2) -> DVec2 {
+        let before = (p - self.a).dot(self.tangent_at(self.a)) < 0.0;
+        let after = (p - self.b).dot(self.tangent_at(self.b)) > 0.0;
+        if !before && !after {
+            p
+        } else if p.distance_squared(self.a) < p.distance_squared(self.b) {
+            self.a
+        } else {
+            self.b
+        }
     }
 
     /// How far along the chord a point lies: grows from 0 at `a` to the squared chord at `b`, monotone along an edge
@@ -233,6 +246,17 @@ mod tests {
         let arc = Curve::arc(DVec2::new(-100.0, 0.0), DVec2::new(0.0, -sagitta), DVec2::new(100.0, 0.0)).unwrap();
         assert!((arc.curvature * 1e12 - 1.0).abs() < 1e-9);
         assert!(close(arc.length(), 200.0));
+    }
+
+    #[test]
+    fn a_short_piece_of_a_large_arc_is_halved_on_the_piece() {
+        let whole = Curve::arc(DVec2::X, -4000.0 * DVec2::Y, -DVec2::X).unwrap();
+        assert!(whole.spans_more_than_half());
+        assert!((whole.midpoint() - -4000.0 * DVec2::Y).length() < 1e-9, "{}", whole.midpoint());
+        let [_, second] = whole.halves();
+        let piece = Curve { a: whole.project(DVec2::new(-2.0, 0.0)), ..second };
+        assert!(!piece.spans_more_than_half());
+        assert!((piece.midpoint() - DVec2::new(-1.5, 0.0)).length() < 1e-2);
     }
 
     #[test]

@@ -29,6 +29,8 @@ pub enum Refraction {
         cos_i: f64,
         /// Sine S1 of the angle of incidence, signed as above.
         sin_i: f64,
+        /// Whether the discriminant is exactly 0: T would run along the boundary, at 90° from the normal.
+        critical: bool,
     },
 }
 
@@ -76,7 +78,7 @@ pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     let transmitted_normal_squared = discriminant(n_i, n_t, cos_i, sin_i);
     // Total internal reflection: nothing is transmitted.
     if transmitted_normal_squared <= 0.0 {
-        return Refraction::TotalInternalReflection { cos_i, sin_i };
+        return Refraction::TotalInternalReflection { cos_i, sin_i, critical: transmitted_normal_squared == 0.0 };
     }
     // The component of n V along the boundary is the same on both sides.
     let (cos_t, sin_t) = (transmitted_normal_squared.sqrt() / n_t, n_i * sin_i / n_t);
@@ -138,7 +140,7 @@ mod tests {
         let steep = |n_i: f64| ((1.0 - 1.0 / (n_i * n_i)).sqrt(), 1.0 / n_i, n_i);
         for (cos_i, sin_i, n_i) in [(0.6, 0.8, 1.25), steep(2.0), steep(2.5), steep(4.0), steep(8.0), steep(16.0)] {
             let at = refract(DVec2::new(cos_i, sin_i), N, n_i, 1.0);
-            assert_eq!(at, Refraction::TotalInternalReflection { cos_i, sin_i });
+            assert_eq!(at, Refraction::TotalInternalReflection { cos_i, sin_i, critical: true });
             let (sin, cos) = (sin_i - 1e-15, cos_i + 1e-15 * sin_i / cos_i);
             assert!(refract(DVec2::new(cos, sin), N, n_i, 1.0).direction().is_some());
         }

@@ -13,18 +13,6 @@ pub fn cross(a: DVec2, b: DVec2) -> f64 {
     a.x.mul_add(b.y, -second) + error
 }
 
-/// Whether `b` lies counter-clockwise of `a`, strictly: the sign of their cross product, exact barring underflow.
-#[must_use]
-pub fn is_counterclockwise(a: DVec2, b: DVec2) -> bool {
-    let (first, second) = (a.x * b.y, a.y * b.x);
-    let difference = first - second;
-    // Three roundings, each of at most half an ulp of the larger product, cannot turn the sign beyond this.
-    if difference.abs() > 2.0 * f64::EPSILON * (first.abs() + second.abs()) {
-        return difference > 0.0;
-    }
-    cross(a, b) > 0.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -36,6 +24,5 @@ mod tests {
         let b = DVec2::new(1.0 + 2.0 * tiny, 1.0 + tiny);
         // (1 + ε)² − (1 + 2ε) = ε² exactly; the plain formula gives 0.
         assert_eq!(cross(a, b), tiny * tiny);
-        assert!(is_counterclockwise(a, b) && !is_counterclockwise(b, a) && !is_counterclockwise(a, a));
     }
 }

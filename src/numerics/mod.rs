@@ -5,7 +5,7 @@ mod predicates;
 mod sum;
 mod trig;
 
-pub use cross::{cross, is_counterclockwise};
+pub use cross::cross;
 pub use predicates::side;
 pub use sum::Sum;
 pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, pow, sin, tan_degrees};

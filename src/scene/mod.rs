@@ -26,7 +26,7 @@ pub use listing::render_problems;
 pub use medium::Medium;
 pub use places::Places;
 pub use problem::{Problem, Problems, Severity};
-pub use read::{Loaded, load};
+pub use read::{Loaded, load, text_of};
 pub use source::{Direction, Light, Polarization, Source, Spectrum};
 pub use tracing::{SecondaryRays, TraceSettings};
 

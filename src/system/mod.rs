@@ -4,6 +4,7 @@ mod interface;
 mod placed;
 
 pub use interface::{Action, Interface, MediumId, VertexId};
+pub(crate) use interface::{SAME, rounding};
 pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
 use glam::DVec2;

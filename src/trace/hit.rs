@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::laws::{Refraction, fresnel, reflect, refract, thin_lens};
+use crate::laws::{Incidence, Refraction, fresnel, reflect, refract, thin_lens};
 use crate::light::Power;
 use crate::scene::SecondaryRays;
 use crate::system::{Action, Interface};
@@ -51,20 +51,20 @@ impl Arrival<'_> {
     /// A boundary that refracts: `share` gives the reflected and the transmitted fraction, for the refracted light or
     /// past the critical angle.
     fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
-        let refraction = refract(self.direction, self.normal, self.n_i, self.n_t);
-        let (cos_i, sin_i) = (refraction.cos_i(), refraction.sin_i());
-        let mut hit = Hit { cos_i, sin_i, n_t: Some(self.n_t), ..self.bare_hit() };
+        let mut hit = Hit { n_t: Some(self.n_t), ..self.bare_hit() };
         let reflected = reflect(self.direction, self.normal);
-        let Refraction::Refracted { direction, cos_t, sin_t, .. } = refraction else {
+        let (direction, cos_t, sin_t) = match refract(self.direction, self.normal, self.n_i, self.n_t) {
+            Refraction::Refracted { direction, cos_t, sin_t, .. } => (direction, cos_t, sin_t),
             // Total internal reflection: nothing is transmitted. At the critical angle itself T runs along the boundary.
-            let critical = self.n_i * sin_i.abs() <= self.n_t;
-            (hit.cos_t, hit.sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
-            share(None).put(&mut hit);
-            hit.total_internal_reflection = true;
-            return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
+            Refraction::TotalInternalReflection { sin_i, critical, .. } => {
+                (hit.cos_t, hit.sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
+                hit.total_internal_reflection = true;
+                share(None).put(&mut hit);
+                return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
+            }
         };
         (hit.cos_t, hit.sin_t) = (Some(cos_t), Some(sin_t));
-        let refracted = Refracted { n_i: self.n_i, n_t: self.n_t, cos_i, sin_i, cos_t, sin_t };
+        let refracted = Refracted { n_i: self.n_i, n_t: self.n_t, cos_i: hit.cos_i, sin_i: hit.sin_i, cos_t, sin_t };
         share(Some(&refracted)).put(&mut hit);
         Outcome {
             hit,
@@ -85,32 +85,28 @@ impl Arrival<'_> {
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
-        let height = (self.at - center).dot(self.tangent());
+        let tangent = Incidence::new(self.direction, self.normal).tangent;
+        let height = (self.at - center).dot(tangent);
         let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
         let hit = Hit {
             n_t: Some(self.n_t),
             cos_t: Some(-self.normal.dot(direction)),
-            sin_t: Some(self.tangent().dot(direction)),
+            sin_t: Some(tangent.dot(direction)),
             transmittance: Power::both(1.0),
             ..self.bare_hit()
         };
         Outcome { hit, transmitted: Some((Via::Transmission, direction)), reflected: None }
     }
 
-    /// The boundary's tangent τ: −N turned counter-clockwise by 90°, along which sines count.
-    fn tangent(&self) -> DVec2 {
-        -self.normal.perp()
-    }
-
     fn bare_hit(&self) -> Hit {
-        let (v, n) = (self.direction, self.normal);
+        let Incidence { cos: cos_i, sin: sin_i, .. } = Incidence::new(self.direction, self.normal);
         Hit {
             body: self.interface.body,
-            normal: n,
+            normal: self.normal,
             n_i: self.n_i,
             n_t: None,
-            cos_i: (-n.dot(v)).max(0.0),
-            sin_i: self.tangent().dot(v),
+            cos_i,
+            sin_i,
             cos_t: None,
             sin_t: None,
             reflectance: Power::default(),

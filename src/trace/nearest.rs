@@ -8,8 +8,8 @@
 use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
-use crate::numerics::{cross, is_counterclockwise, side};
-use crate::system::{Interface, MediumId, Start, VertexId};
+use crate::numerics::{cross, side};
+use crate::system::{Interface, MediumId, SAME, Start, VertexId};
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +31,8 @@ pub(crate) struct Crossing {
 }
 
 /// The first interface that the ray crosses; of several at one distance the first in the list. `None` if the ray leaves.
-pub(crate) fn nearest(interfaces: &[Interface], reach: f64, ray: &Ray) -> Option<Crossing> {
-    let probe = Probe { ray, last: ray.last(interfaces), near: 64.0 * f64::EPSILON * reach };
+pub(crate) fn nearest(interfaces: &[Interface], near: f64, ray: &Ray) -> Option<Crossing> {
+    let probe = Probe { ray, last: ray.last(interfaces), near };
     let mut first: Option<Crossing> = None;
     for (interface, candidate) in interfaces.iter().enumerate() {
         for (distance, from_left) in probe.crossings(interface, candidate).into_iter().flatten() {
@@ -75,18 +75,32 @@ impl Probe<'_> {
         }
     }
 
-    /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on follow
-    /// from the side it heads to.
+    /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on, and an
+    /// arc's end where it stands, follow from the side it heads to.
     fn is_left(&self, vertex: VertexId, p: DVec2) -> bool {
-        if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.is_straight()) {
-            if vertex == last.ends[0] {
-                return heads_left;
-            }
-            if vertex == last.ends[1] {
-                return !heads_left;
-            }
+        if let Some((last, heads_left)) = self.last
+            && let Some(end) = last.ends.iter().position(|end| *end == vertex)
+            && (last.curve.is_straight() || p.distance(self.ray.from) <= self.near)
+        {
+            return heads_left == (end == 0);
         }
-        is_counterclockwise(self.ray.direction, p - self.ray.from)
+<<<<<<< HEAD
+        let turn = self.ray.direction.perp_dot(p - self.ray.from);
+        if turn.abs() > self.near { turn > 0.0 } else { self.passes_on_the_right() }
+=======
+        let turn = cross(self.ray.direction, p - self.ray.from);
+        if turn.abs() > self.near { turn > 0.0 } else { self.leaves_on_the_left(p) }
+>>>>>>> laws
+    }
+
+    /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
+    /// away from the interface it stands on; any other ray has such vertices on its right.
+    fn leaves_on_the_left(&self, p: DVec2) -> bool {
+        self.last.is_some_and(|(last, heads_left)| {
+            let along = last.curve.tangent_at(self.ray.from).dot(self.ray.direction) > 0.0;
+            let ahead = (p - self.ray.from).dot(self.ray.direction) > 0.0;
+            (heads_left != along) == ahead
+        })
     }
 
     /// Whether the ray's line passes between the ends of an interface; then whether it comes from its left.
@@ -98,8 +112,11 @@ impl Probe<'_> {
 
     fn edge(&self, candidate: &Interface) -> Met {
         let from_left = self.passes_from_left(candidate)?;
-        let Curve { m, n, .. } = candidate.curve;
+        let Curve { a, b, m, n, .. } = candidate.curve;
+        let along = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
         let distance = n.dot(m - self.ray.from) / n.dot(self.ray.direction);
+        // An edge along the ray, up to rounding, is met between its ends too.
+        let distance = distance.max(along[0].min(along[1])).min(along[0].max(along[1]));
         self.ahead(candidate, distance).map(|distance| (distance, from_left))
     }
 
@@ -148,10 +165,12 @@ impl Probe<'_> {
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
     fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Met {
         let Interface { curve, ends, .. } = candidate;
-        let at = if ends[0] == vertex { curve.a } else { curve.b };
-        let into_bulge = cross(curve.b - curve.a, self.ray.direction) * curve.curvature < 0.0;
+        let at_start = ends[0] == vertex;
+        let (at, other, far) = if at_start { (curve.a, ends[1], curve.b) } else { (curve.b, ends[0], curve.a) };
+        // An arc that turns left bulges to the right of its chord, which is there if the other end is on the ray's left.
+        let into_bulge = (self.is_left(other, far) == at_start) == (curve.curvature > 0.0);
         let distance = 2.0 * curve.normal_at(at).dot(self.ray.direction) / curve.curvature;
-        (into_bulge && distance > 0.0 && distance.is_finite()).then_some((distance, curve.curvature > 0.0))
+        (into_bulge && distance > self.near && distance.is_finite()).then_some((distance, curve.curvature > 0.0))
     }
 
     /// The distance, if it lies ahead. Beside a vertex that a candidate shares with the interface the ray stands on, the
@@ -180,18 +199,25 @@ impl Probe<'_> {
     }
 }
 
-/// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two are
-/// tangent.
+/// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run on
+/// one line or circle.
 fn opens_to(last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
     let Curve { a, b, .. } = candidate.curve;
     let (vertex, other) = if start { (a, b) } else { (b, a) };
     let turn = if last.curve.is_straight() && candidate.curve.is_straight() {
         side(last.curve.a, last.curve.b, other)
     } else {
-        let tangent = candidate.curve.tangent_at(vertex);
-        let turn = cross(last.curve.tangent_at(vertex), if start { tangent } else { -tangent });
-        // Rounding of two tangents; closer than this they are one.
-        if turn.abs() <= 1e-12 { 0.0 } else { turn }
+        let (along, tangent) = (last.curve.tangent_at(vertex), candidate.curve.tangent_at(vertex));
+        let turn = cross(along, if start { tangent } else { -tangent });
+        // Rounding of two tangents; closer than this they are one, and the stronger curvature decides.
+        if turn.abs() <= SAME { bend(&last.curve, &candidate.curve, along.dot(tangent)) } else { turn }
     };
     (turn != 0.0).then_some(turn > 0.0)
+}
+
+/// Curvature of `candidate` above that of `last` where the two touch, seen along `last`; 0 where they are equal.
+fn bend(last: &Curve, candidate: &Curve, sense: f64) -> f64 {
+    let curvature = candidate.curvature * sense.signum();
+    let bend = curvature - last.curvature;
+    if bend.abs() <= SAME * last.curvature.abs() { 0.0 } else { bend }
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::light::Power;
 use crate::scene::TraceSettings;
-use crate::system::{MediumId, OpticalSystem, RayStart, Start};
+use crate::system::{MediumId, OpticalSystem, RayStart, Start, rounding};
 use crate::trace::hit::{Arrival, Outcome, Secondary};
 use crate::trace::nearest::{Crossing, Ray, nearest};
 use crate::trace::{Ending, Segment, SegmentId, TracedRay, Via};
@@ -50,8 +50,8 @@ struct Branch {
 struct Tracer<'a> {
     system: &'a OpticalSystem,
     settings: TraceSettings,
-    /// Largest coordinate, relative to the origin.
-    reach: f64,
+    /// Distances below this are rounding.
+    near: f64,
     segments_left: u64,
     waiting: Vec<Branch>,
     /// Index of every medium at the line being followed.
@@ -60,11 +60,10 @@ struct Tracer<'a> {
 
 impl<'a> Tracer<'a> {
     fn new(system: &'a OpticalSystem) -> Self {
-        let ends = system.interfaces.iter().flat_map(|interface| [interface.curve.a, interface.curve.b]);
         Self {
             system,
             settings: system.settings,
-            reach: ends.fold(0.0, |reach, p| p.abs().max_element().max(reach)),
+            near: rounding(&system.interfaces),
             segments_left: system.settings.max_segments,
             waiting: Vec::new(),
             indices: Vec::new(),
@@ -112,7 +111,7 @@ impl<'a> Tracer<'a> {
             return Segment { ending, ..segment };
         }
         self.segments_left -= 1;
-        let Some(crossing) = nearest(&self.system.interfaces, self.reach, ray) else { return segment };
+        let Some(crossing) = nearest(&self.system.interfaces, self.near, ray) else { return segment };
         self.arrive(branch, &crossing, segment)
     }
 
@@ -133,15 +132,15 @@ impl<'a> Tracer<'a> {
     fn arrive(&mut self, branch: &Branch, crossing: &Crossing, segment: Segment) -> Segment {
         let interface = &self.system.interfaces[crossing.interface];
         let Branch { ray, power, .. } = branch;
-        // The rounded point is put back on its curve.
-        let at = interface.curve.project(ray.from + crossing.distance * ray.direction);
+        // The rounded point is put back on its curve, between its ends.
+        let at = interface.curve.clamp(interface.curve.project(ray.from + crossing.distance * ray.direction));
         let left_normal = interface.curve.normal_at(at);
         let (normal, behind) =
             if crossing.from_left { (left_normal, interface.right) } else { (-left_normal, interface.left) };
         let (n_i, n_t) = (self.index(ray.medium), self.index(behind));
         let Outcome { hit, transmitted, reflected } =
             Arrival { interface, at, direction: ray.direction, normal, n_i, n_t }.outcome(self.settings.secondary_rays);
-        let optical_path = branch.optical_path + n_i * crossing.distance;
+        let optical_path = branch.optical_path + n_i * ray.from.distance(at);
         let mut spawn = |secondary: Option<Secondary>, share: Power, medium: MediumId, left: bool| {
             let power = power.times(share);
             let Some((via, direction)) = secondary.filter(|_| power.total() > 0.0) else { return false };

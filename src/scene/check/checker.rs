@@ -36,8 +36,8 @@ impl Checker {
 
     /// A point whose coordinates can be computed with.
     pub(super) fn point(&mut self, path: &str, what: &str, point: DVec2) -> bool {
-        let x = self.coordinate(path, &format!("the x of {what}"), point.x);
-        self.coordinate(path, &format!("the y of {what}"), point.y) && x
+        self.coordinate(&format!("{path}[0]"), &format!("the x of {what}"), point.x)
+            & self.coordinate(&format!("{path}[1]"), &format!("the y of {what}"), point.y)
     }
 
     /// A length above 0.
@@ -63,6 +63,21 @@ impl Checker {
         self.require(value >= low, || count(format!("{what} must be at least {low}, not {value}")))
             && self.require(value <= high, || count(format!("{what} must be at most {high}, not {value}")))
     }
+
+    /// How many entries a list has, within bounds, both included.
+    pub(super) fn size(&mut self, path: &str, owner: &str, what: &str, size: usize, bounds: [usize; 2]) -> bool {
+        let [low, high] = bounds;
+        self.require(size >= low, || {
+            let message = match size {
+                0 => format!("{owner} needs {what}, but has none"),
+                _ => format!("{owner} needs at least {low} {what}, but has {size}"),
+            };
+            Problem::error(path, message, format!("write {low} or more {what}")).label("too few")
+        }) && self.require(size <= high, || {
+            let message = format!("{owner} may have {high} {what}, but has {size}");
+            Problem::error(path, message, format!("write at most {high} {what}")).label("too many")
+        })
+    }
 }
 
 fn too_far(path: &str, what: &str, value: f64) -> Problem {
@@ -84,6 +99,21 @@ pub(super) fn show(value: f64) -> String {
     let size = value.abs();
     let plain = size == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&size);
     if plain { format!("{}", value + 0.0) } else { format!("{value:e}") }
+}
+
+/// A computed number for people, to six digits.
+pub(super) fn show_rounded(value: f64) -> String {
+    show(rounded(value))
+}
+
+/// A number of at most seven digits that is not below `value` and close to it.
+pub(super) fn show_at_least(value: f64) -> String {
+    let near = rounded(value);
+    show(if near < value { rounded(near + 1e-5 * near.abs()) } else { near })
+}
+
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// A point for people.

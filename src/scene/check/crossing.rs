@@ -8,12 +8,23 @@ use robust::{Coord, orient2d};
 use crate::geometry::{Bounds, Curve};
 use crate::numerics::cross;
 
-/// The numbers of two curves that meet where they must not, if there are any; each begins where the one before ends, and
-/// the first where the last one ends.
+/// Most comparisons before a chain is given up.
+const MOST_STEPS: usize = 100_000_000;
+
+/// Why a chain is no simple outline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fault {
+    /// The numbers of two curves that meet where they must not.
+    Meet(usize, usize),
+    /// Too many curves lie side by side to compare them all.
+    TooTangled,
+}
+
+/// The first fault of a closed chain in which each curve begins where the one before ends.
 ///
-/// Chains whose neighbors lie close together take n log n steps.
-pub(super) fn first_crossing(curves: &[Curve]) -> Option<(usize, usize)> {
-    let tree = Tree::new(curves);
+/// Chains whose neighbors lie close together take n log n steps; others are given up after about a second.
+pub(super) fn first_fault(curves: &[Curve]) -> Option<Fault> {
+    let mut tree = Tree::new(curves);
     let last = curves.len().saturating_sub(1);
     (0..curves.len()).find_map(|i| {
         let meets = |j: usize| match (j - i, i) {
@@ -22,7 +33,9 @@ pub(super) fn first_crossing(curves: &[Curve]) -> Option<(usize, usize)> {
             (_, 0) if j == last => folds_back(&curves[j], &curves[i]),
             _ => meet(&curves[i], &curves[j]),
         };
-        tree.first(tree.boxes_of(i), i + 1, meets).map(|j| (i, j))
+        let first = tree.first(tree.boxes_of(i), i + 1, meets);
+        let tangled = (tree.steps > MOST_STEPS).then_some(Fault::TooTangled);
+        first.map(|j| Fault::Meet(i, j)).or(tangled)
     })
 }
 
@@ -30,6 +43,7 @@ pub(super) fn first_crossing(curves: &[Curve]) -> Option<(usize, usize)> {
 struct Tree {
     boxes: Vec<Bounds>,
     leaves: usize,
+    steps: usize,
 }
 
 impl Tree {
@@ -43,7 +57,7 @@ impl Tree {
         for k in (1..leaves).rev() {
             boxes[k] = boxes[2 * k].union(boxes[2 * k + 1]);
         }
-        Self { boxes, leaves }
+        Self { boxes, leaves, steps: 0 }
     }
 
     fn boxes_of(&self, i: usize) -> Bounds {
@@ -51,9 +65,10 @@ impl Tree {
     }
 
     /// The first curve from number `from` on whose box meets `bounds` and that passes the test.
-    fn first(&self, bounds: Bounds, from: usize, test: impl Fn(usize) -> bool) -> Option<usize> {
+    fn first(&mut self, bounds: Bounds, from: usize, test: impl Fn(usize) -> bool) -> Option<usize> {
         let mut stack = vec![(1, self.leaves)];
         while let Some((node, width)) = stack.pop() {
+            self.steps += 1;
             let end = (node * width) + width - self.leaves;
             if end <= from || !self.boxes[node].meets(bounds) {
                 continue;
@@ -141,6 +156,13 @@ fn cuts(first: &Curve, second: &Curve) -> Vec<DVec2> {
 mod tests {
     use super::*;
 
+    fn first_crossing(curves: &[Curve]) -> Option<(usize, usize)> {
+        first_fault(curves).map(|fault| match fault {
+            Fault::Meet(i, j) => (i, j),
+            Fault::TooTangled => panic!("{fault:?}"),
+        })
+    }
+
     fn chain(points: &[(f64, f64)]) -> Vec<Curve> {
         let next = points.iter().cycle().skip(1);
         points.iter().zip(next).map(|(a, b)| Curve::line((*a).into(), (*b).into())).collect()
@@ -177,6 +199,19 @@ mod tests {
         let back = Curve::arc(DVec2::new(4.0, 0.0), DVec2::new(2.0, -1.0), DVec2::new(1.0, 2.0)).unwrap();
         let curves = [Curve::line(DVec2::ZERO, back.a), back, Curve::line(back.b, DVec2::ZERO)];
         assert_eq!(first_crossing(&curves), Some((0, 1)));
+    }
+
+    #[test]
+    fn what_would_take_too_long_is_given_up() {
+        // Long teeth across both axes, whose boxes all overlap.
+        let tooth = |k: u32| {
+            let across = DVec2::new(1e-3, -1e-3) * f64::from(k / 2);
+            let along = if matches!(k % 4, 0 | 3) { 0.0 } else { 1e6 };
+            (along + across.x, along + across.y)
+        };
+        let mut points: Vec<(f64, f64)> = (0..60_000).map(tooth).collect();
+        points.push((-1e6, -1e6));
+        assert_eq!(first_fault(&chain(&points)), Some(Fault::TooTangled));
     }
 
     #[test]

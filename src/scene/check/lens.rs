@@ -1,4 +1,4 @@
-use super::checker::{Checker, show};
+use super::checker::{Checker, show, show_at_least, show_rounded};
 use super::medium::check_medium;
 use crate::scene::{Element, MAX_POINTS, MIN_LENGTH, Problem};
 
@@ -37,8 +37,9 @@ fn check_edge(c: &mut Checker, path: &str, radii: [f64; 2], thickness: f64, diam
     let edge = thickness + right - left;
     let rounding = 16.0 * f64::EPSILON * thickness.max(left.abs()).max(right.abs());
     c.require(edge >= -rounding, || {
-        let message = format!("the faces cross inside of the diameter: at the rim the thickness is {}", show(edge));
-        let help = format!("make the thickness at least {}, or the diameter smaller", show(left - right));
+        let message =
+            format!("the faces cross inside of the diameter: at the rim the thickness is {}", show_rounded(edge));
+        let help = format!("make the thickness at least {}, or the diameter smaller", show_at_least(left - right));
         Problem::error(path, message, help).label("too thin")
     });
 }
@@ -53,7 +54,7 @@ fn sag(radius: f64, height: f64) -> f64 {
 pub(super) fn check_group(c: &mut Checker, path: &str, diameter: f64, surfaces: &[Element]) {
     let wide = c.length(&format!("{path}.diameter"), "the diameter", diameter);
     let list = format!("{path}.surfaces");
-    if !c.count(&list, "the number of surfaces", surfaces.len() as u64, [2, MAX_POINTS as u64]) {
+    if !c.size(&list, "a lens group", "surfaces", surfaces.len(), [2, MAX_POINTS]) {
         return;
     }
     let at = |k: usize| format!("{list}[{k}]");

@@ -2,9 +2,8 @@ use std::collections::HashSet;
 
 use glam::DVec2;
 
-use super::Numbering;
 use super::checker::{Checker, show};
-use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Scene, Source, Spectrum};
+use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Source, Spectrum};
 
 /// One source by itself.
 pub(super) fn check_source(c: &mut Checker, path: &str, source: &Source) {
@@ -96,7 +95,7 @@ fn check_spectrum(c: &mut Checker, path: &str, spectrum: &Spectrum) {
 }
 
 fn check_lines(c: &mut Checker, path: &str, lines: &[f64]) {
-    if !c.count(path, "the number of lines", lines.len() as u64, [1, MAX_LINES as u64]) {
+    if !c.size(path, "a spectrum", "lines", lines.len(), [1, MAX_LINES]) {
         return;
     }
     let mut seen = HashSet::new();
@@ -121,9 +120,9 @@ fn check_line(c: &mut Checker, path: &str, nm: f64) -> bool {
 }
 
 /// The rays of all sources together, before any memory is taken for them.
-pub(super) fn check_ray_total(c: &mut Checker, scene: &Scene, numbering: &Numbering) {
+pub(super) fn check_ray_total(c: &mut Checker, sources: &[Source]) {
     let mut total: u64 = 0;
-    for (k, source) in scene.sources.iter().enumerate() {
+    for (k, source) in sources.iter().enumerate() {
         let before = total;
         total = total.saturating_add(rays(&source.light).saturating_mul(lines(&source.spectrum)));
         if before <= MAX_RAYS && total > MAX_RAYS {
@@ -131,7 +130,7 @@ pub(super) fn check_ray_total(c: &mut Checker, scene: &Scene, numbering: &Number
                 "the scene has {total} rays so far, each counted once per line; at most {MAX_RAYS} are allowed"
             );
             let help = "lower `rays` or the number of spectral lines";
-            c.problems.push(Problem::error(format!("{}.light", numbering.source(k)), message, help).label("too many"));
+            c.problems.push(Problem::error(format!("sources[{k}].light"), message, help).label("too many"));
         }
     }
 }

@@ -1,8 +1,9 @@
-use super::Numbering;
-use super::checker::{Checker, show};
+use std::collections::HashSet;
+
+use super::checker::{Checker, show, show_rounded};
 use crate::light::Wavelength;
 use crate::media::{Dispersion, MediumError};
-use crate::scene::{Medium, Problem, Scene, Shape, Source, Substance};
+use crate::scene::{MAX_LINES, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
 
 /// A medium's own numbers, or its name in the catalog; indices over the spectrum are checked with the sources.
 pub(super) fn check_medium(c: &mut Checker, path: &str, medium: &Medium) {
@@ -13,10 +14,10 @@ pub(super) fn check_medium(c: &mut Checker, path: &str, medium: &Medium) {
 }
 
 /// Every line of every source has an index in every medium.
-pub(super) fn check_wavelengths(c: &mut Checker, scene: &Scene, numbering: &Numbering) {
-    let media = dispersive_media(scene, numbering);
+pub(super) fn check_wavelengths(c: &mut Checker, scene: &Scene) {
+    let media = dispersive_media(scene);
     for (k, source) in scene.sources.iter().enumerate() {
-        let path = format!("{}.spectrum", numbering.source(k));
+        let path = format!("sources[{k}].spectrum");
         for (owner, medium, dispersion) in &media {
             c.problems.extend(first_fault(&path, source, owner, medium, dispersion));
         }
@@ -25,8 +26,11 @@ pub(super) fn check_wavelengths(c: &mut Checker, scene: &Scene, numbering: &Numb
 
 /// The problem at the first line for which a medium has no index.
 fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, dispersion: &Dispersion) -> Option<Problem> {
-    let lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometres);
-    let error = lines.into_iter().find_map(|line| dispersion.check(line).err())?;
+    if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
+        return None;
+    }
+    let mut lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometres);
+    let error = lines.find_map(|line| dispersion.check(line).err())?;
     let name = match medium {
         Medium::Catalog(name) => format!("`{name}`"),
         _ => "the medium".to_owned(),
@@ -39,7 +43,7 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
             Problem::error(path, message, help).label("outside the medium's range")
         }
         MediumError::BelowOne { wavelength, index } => {
-            let (wavelength, index) = (show(wavelength), show(index));
+            let (wavelength, index) = (show(wavelength), show_rounded(index));
             let message = format!(
                 "{name} of `{owner}` has the index {index} at {wavelength} nm, below 1: faster than light in vacuum"
             );
@@ -54,11 +58,12 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
 }
 
 /// Media whose index depends on the wavelength, once each, with the path of where they are first used.
-fn dispersive_media<'a>(scene: &'a Scene, numbering: &Numbering) -> Vec<(String, &'a Medium, Dispersion)> {
-    let mut media: Vec<(String, &Medium, Dispersion)> = Vec::new();
+fn dispersive_media<'a>(scene: &'a Scene) -> Vec<(String, &'a Medium, Dispersion)> {
+    let mut media = Vec::new();
+    let mut known = HashSet::new();
     let mut add = |path: String, medium: &'a Medium| {
         let constant = matches!(medium, Medium::Index(_) | Medium::Speed(_));
-        if constant || media.iter().any(|(_, known, _)| *known == medium) {
+        if constant || !known.insert(format!("{medium:?}")) {
             return;
         }
         if let Ok(dispersion) = medium.dispersion() {
@@ -68,11 +73,11 @@ fn dispersive_media<'a>(scene: &'a Scene, numbering: &Numbering) -> Vec<(String,
     add("surroundings".to_owned(), &scene.surroundings);
     for (k, body) in scene.bodies.iter().enumerate() {
         if let Substance::Medium(medium) = &body.substance {
-            add(format!("{}.medium", numbering.body(k)), medium);
+            add(format!("bodies[{k}].medium"), medium);
         }
         if let Shape::LensGroup { surfaces, .. } = &body.shape {
             for (j, medium) in surfaces.iter().enumerate().filter_map(|(j, s)| Some((j, s.medium.as_ref()?))) {
-                add(format!("{}.shape.surfaces[{j}].medium", numbering.body(k)), medium);
+                add(format!("bodies[{k}].shape.surfaces[{j}].medium"), medium);
             }
         }
     }

@@ -16,29 +16,7 @@ use self::checker::Checker;
 use self::light::{check_ray_total, check_source};
 use self::medium::{check_medium, check_wavelengths};
 use self::settings::{check_diagram, check_trace};
-use crate::scene::{MAX_BODIES, MAX_NOTES, Problem, Scene};
-
-/// The numbers that entries have in their file, where some before them could not be read; empty if all could.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Numbering {
-    pub(super) bodies: Vec<usize>,
-    pub(super) sources: Vec<usize>,
-    pub(super) notes: Vec<usize>,
-}
-
-impl Numbering {
-    pub(super) fn body(&self, k: usize) -> String {
-        format!("bodies[{}]", self.bodies.get(k).unwrap_or(&k))
-    }
-
-    pub(super) fn source(&self, k: usize) -> String {
-        format!("sources[{}]", self.sources.get(k).unwrap_or(&k))
-    }
-
-    fn note(&self, k: usize) -> String {
-        format!("notes[{}]", self.notes.get(k).unwrap_or(&k))
-    }
-}
+use crate::scene::{Body, MAX_BODIES, MAX_NOTES, Problem, Scene, Source};
 
 impl Scene {
     /// All problems of the scene that can be told without computing where its bodies meet; empty if it has none.
@@ -46,61 +24,50 @@ impl Scene {
     /// They carry paths, and no places: a scene does not know its text. [`load`](crate::scene::load) checks by itself.
     #[must_use]
     pub fn validate(&self) -> Vec<Problem> {
-        check_scene(self, &Numbering::default())
+        let mut c = Checker::default();
+        check_medium(&mut c, "surroundings", &self.surroundings);
+        check_bodies(&mut c, &self.bodies);
+        check_sources(&mut c, &self.sources);
+        check_wavelengths(&mut c, self);
+        check_trace(&mut c, &self.trace);
+        check_diagram(&mut c, &self.diagram);
+        c.size("notes", "a scene", "notes", self.notes.len(), [0, MAX_NOTES]);
+        for (k, note) in self.notes.iter().enumerate() {
+            c.point(&format!("notes[{k}].at"), "a note's place", note.at);
+        }
+        c.problems
     }
 }
 
-/// All problems of a scene, by path.
-pub(super) fn check_scene(scene: &Scene, numbering: &Numbering) -> Vec<Problem> {
-    let mut c = Checker::default();
-    check_medium(&mut c, "surroundings", &scene.surroundings);
-    check_size(&mut c, "bodies", scene.bodies.len(), MAX_BODIES);
-    for (k, body) in scene.bodies.iter().enumerate() {
-        check_body(&mut c, &numbering.body(k), body);
+fn check_bodies(c: &mut Checker, bodies: &[Body]) {
+    c.size("bodies", "a scene", "bodies", bodies.len(), [0, MAX_BODIES]);
+    for (k, body) in bodies.iter().enumerate() {
+        check_body(c, &format!("bodies[{k}]"), body);
     }
-    for (k, source) in scene.sources.iter().enumerate() {
-        check_source(&mut c, &numbering.source(k), source);
-    }
-    check_size(&mut c, "notes", scene.notes.len(), MAX_NOTES);
-    for (k, note) in scene.notes.iter().enumerate() {
-        c.point(&format!("{}.at", numbering.note(k)), "a note's place", note.at);
-    }
-    let bodies = scene.bodies.iter().enumerate().map(|(k, body)| (numbering.body(k), body.name.as_deref()));
-    check_names(&mut c, "body", bodies);
-    let sources = scene.sources.iter().enumerate().map(|(k, source)| (numbering.source(k), source.name.as_deref()));
-    check_names(&mut c, "source", sources);
-    check_ray_total(&mut c, scene, numbering);
-    check_wavelengths(&mut c, scene, numbering);
-    check_trace(&mut c, &scene.trace);
-    check_diagram(&mut c, &scene.diagram);
-    c.problems
+    check_names(c, "body", "bodies", bodies.iter().map(|body| body.name.as_deref()));
 }
 
-fn check_size(c: &mut Checker, path: &str, size: usize, most: usize) {
-    c.require(size <= most, || {
-        let message = format!("the scene has {size} {path}; at most {most} are allowed");
-        Problem::error(path, message, "split the scene into several files").label("too many")
-    });
+fn check_sources(c: &mut Checker, sources: &[Source]) {
+    for (k, source) in sources.iter().enumerate() {
+        check_source(c, &format!("sources[{k}]"), source);
+    }
+    check_names(c, "source", "sources", sources.iter().map(|source| source.name.as_deref()));
+    check_ray_total(c, sources);
 }
 
-fn check_names<'a>(c: &mut Checker, what: &str, names: impl Iterator<Item = (String, Option<&'a str>)>) {
-    let mut seen: HashMap<&str, String> = HashMap::new();
-    for (owner, name) in names {
-        let Some(name) = name else { continue };
-        let path = format!("{owner}.name");
-        let plain = c.require(!name.trim().is_empty() && !name.starts_with('#'), || {
+fn check_names<'a>(c: &mut Checker, what: &str, list: &str, names: impl Iterator<Item = Option<&'a str>>) {
+    let mut seen: HashMap<&str, usize> = HashMap::new();
+    for (k, name) in names.enumerate().filter_map(|(k, name)| Some((k, name?))) {
+        let path = format!("{list}[{k}].name");
+        let sound = c.require(!name.trim().is_empty() && !name.starts_with('#'), || {
             let message = format!("a {what} cannot be named \"{name}\"");
             let help = "write at least one letter, and no `#` in front: results use `#k` for what has no name";
             Problem::error(&path, message, help).label("not a name")
         });
-        let first = seen.get(name);
-        let unique = c.require(first.is_none() || !plain, || {
-            let first = first.cloned().unwrap_or_default();
-            let message = format!("the name \"{name}\" is taken by {first}");
+        let first = *seen.entry(name).or_insert(k);
+        c.require(first == k || !sound, || {
+            let message = format!("the name \"{name}\" is taken by {list}[{first}]");
             Problem::error(&path, message, format!("give every {what} a name of its own, or none")).label("second time")
         });
-        if unique {
-            seen.insert(name, owner);
-        }
     }
 }

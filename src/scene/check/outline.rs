@@ -1,17 +1,17 @@
 use glam::DVec2;
 
 use super::checker::{Checker, show_point};
-use super::crossing::first_crossing;
+use super::crossing::{Fault, first_fault};
 use crate::geometry::Curve;
 use crate::numerics::{Sum, cross};
-use crate::scene::{MAX_POINTS, PathStep, Problem};
+use crate::scene::{MAX_LENGTH, MAX_POINTS, PathStep, Problem};
 
 /// The vertices of a simple polygon; `path` is that of their list.
 pub(super) fn check_polygon(c: &mut Checker, path: &str, points: &[DVec2]) {
     let at = |k: usize| format!("{path}[{k}]");
-    let enough = c.count(path, "the number of points", points.len() as u64, [3, MAX_POINTS as u64]);
+    let enough = c.size(path, "a polygon", "points", points.len(), [3, MAX_POINTS]);
     // One far point is enough to tell.
-    let sound = points.iter().enumerate().all(|(k, p)| c.point(&at(k), "a point", *p));
+    let sound = points.iter().enumerate().all(|(k, p)| is_near(*p) || c.point(&at(k), "a point", *p));
     let Some(first) = points.first().filter(|_| enough && sound) else { return };
     let repeated = points.windows(2).position(|pair| pair[0] == pair[1]);
     if let Some(k) = repeated {
@@ -28,11 +28,16 @@ pub(super) fn check_polygon(c: &mut Checker, path: &str, points: &[DVec2]) {
     }
 }
 
+/// Whether a point is sound at first sight; spares a long list the texts that a problem would need.
+fn is_near(p: DVec2) -> bool {
+    p.abs().max_element() <= MAX_LENGTH
+}
+
 /// Edges and arcs in order; `path` is that of the shape.
 pub(super) fn check_outline(c: &mut Checker, path: &str, start: DVec2, steps: &[PathStep]) {
     let list = format!("{path}.path");
     let mut sound = c.point(&format!("{path}.start"), "the start", start);
-    sound &= c.count(&list, "the number of steps", steps.len() as u64, [1, MAX_POINTS as u64]);
+    sound &= c.size(&list, "an outline", "steps", steps.len(), [1, MAX_POINTS]);
     let mut here = start;
     let mut curves = Vec::new();
     for (k, step) in steps.iter().enumerate() {
@@ -99,12 +104,20 @@ fn check_chain(c: &mut Checker, path: &str, at: impl Fn(usize) -> String, curves
         Problem::error(path, "the outline encloses no area", "move the points apart: they lie on one line")
             .label("no area")
     });
-    if let Some((i, j)) = first_crossing(curves).filter(|_| area) {
-        let [first, second] = [i, j].map(|k| described(&curves[k]));
-        let message = format!("the outline crosses or touches itself: {first} meets {second}");
-        let help = "put the points in the order in which they follow each other around the shape";
-        c.problems.push(Problem::error(at(i), message, help).label("one of the two begins here"));
-    }
+    let problem = match first_fault(curves).filter(|_| area) {
+        None => return,
+        Some(Fault::Meet(i, j)) => {
+            let [first, second] = [i, j].map(|k| described(&curves[k]));
+            let message = format!("the outline crosses or touches itself: {first} meets {second}");
+            let help = "put the points in the order in which they follow each other around the shape";
+            Problem::error(at(i), message, help).label("one of the two begins here")
+        }
+        Some(Fault::TooTangled) => {
+            let message = "the outline has too many long edges side by side to check that none of them cross";
+            Problem::error(path, message, "use fewer points, or several bodies").label("too many")
+        }
+    };
+    c.problems.push(problem);
 }
 
 fn described(curve: &Curve) -> String {
