@@ -1,5 +1,7 @@
 //! The README tells the truth: its picture is what snellius draws, its scenes load, its files exist.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
+
 mod support;
 
 use std::fs;
