@@ -37,7 +37,9 @@ fn turned_by_90_by_total_reflection(run: &Run) {
         let (entry, exit) = in_and_out(ray);
         near(turn(entry.direction, exit.direction), -90.0, 1e-12);
         near(theta_i(ray, "t"), 45.0, 1e-12);
-        assert!(45.0 > critical && segment(ray, "t").hit.unwrap().total_internal_reflection);
+        let hypotenuse = segment(ray, "t").hit.unwrap();
+        near(hypotenuse.critical_degrees().unwrap(), critical, 1e-12);
+        assert!(45.0 > critical && hypotenuse.total_internal_reflection);
         assert_eq!(path(ray, exit), "tit");
     }
 }

@@ -47,6 +47,7 @@ fn nothing_is_transmitted_above(run: &Run) {
     let ray = only_ray(run);
     let flat = segment(ray, "t").hit.unwrap();
     near(flat.theta_i_degrees(), 50.0, 0.01);
+    near(flat.critical_degrees().unwrap(), critical(), 1e-12);
     assert!(flat.theta_i_degrees() > critical());
     assert_eq!(flat.theta_t_degrees(), None);
     everything_is_reflected(ray);
