@@ -12,14 +12,15 @@ use support::Run;
 use tiny_skia::Pixmap;
 
 /// Scenes whose PNG is kept: text, dispersion and the dark theme among them.
-const PICTURES: [&str; 7] = [
+const PICTURES: [&str; 8] = [
     "lenses/achromat",
     "lenses/cooke-triplet",
-    "nature/primary-rainbow",
+    "mirrors/caustic",
+    "nature/rainbow-primary",
+    "prisms/minimum-deviation",
     "prisms/white-light",
-    "refraction/half-disk",
+    "refraction/slab-reflections",
     "total-reflection/half-disk-above",
-    "total-reflection/right-angle-prism",
 ];
 
 #[test]
