@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::compile::arrangement::{lies_on, tolerance};
 use crate::compile::region::Region;
+use crate::geometry::Curve;
 use crate::light::{Power, Wavelength};
 use crate::numerics::{Turn, cross};
 use crate::scene::{Direction, Light, Polarization, Source};
@@ -77,10 +78,9 @@ impl Ground<'_> {
 
     /// The medium that a ray starts in, and the boundary it starts on and must not hit there.
     fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
-        let tolerance = tolerance((from + self.origin).abs().max_element().max(from.abs().max_element()));
         let (start, medium) = self
-            .at_vertex(from, direction, tolerance)
-            .or_else(|| self.on_interface(from, direction, tolerance))
+            .at_vertex(from, direction)
+            .or_else(|| self.on_interface(from, direction))
             .unwrap_or_else(|| (Start::Free, self.medium_at(from)));
         RayStart { from, direction, medium, start }
     }
@@ -91,8 +91,15 @@ impl Ground<'_> {
         last.map_or(self.surroundings, |region| region.medium)
     }
 
-    fn on_interface(&self, from: DVec2, direction: DVec2, tolerance: f64) -> Option<(Start, MediumId)> {
-        let interface = self.interfaces.iter().position(|interface| lies_on(&interface.curve, from, tolerance))?;
+    /// Distance within which a start is on a curve.
+    fn contact(&self, from: DVec2, curve: &Curve) -> f64 {
+        let reach = |p: DVec2| p.abs().max((p + self.origin).abs()).max_element();
+        tolerance([from, curve.a, curve.b].map(reach).into_iter().fold(0.0, f64::max))
+    }
+
+    fn on_interface(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
+        let holds = |interface: &Interface| lies_on(&interface.curve, from, self.contact(from, &interface.curve));
+        let interface = self.interfaces.iter().position(holds)?;
         let Interface { curve, left: on_left, right: on_right, .. } = &self.interfaces[interface];
         let rise = curve.normal_at(from).dot(direction);
         let left = if rise != 0.0 {
@@ -108,10 +115,11 @@ impl Ground<'_> {
 
     /// At a vertex the ray starts in the sector it heads into: on the counter-clockwise side of the interface that comes
     /// last before it, turning counter-clockwise.
-    fn at_vertex(&self, from: DVec2, direction: DVec2, tolerance: f64) -> Option<(Start, MediumId)> {
+    fn at_vertex(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
         let vertex = self.interfaces.iter().find_map(|interface| {
             let ends = [(interface.curve.a, interface.ends[0]), (interface.curve.b, interface.ends[1])];
-            ends.into_iter().find(|(p, _)| p.distance(from) <= tolerance).map(|(_, vertex)| vertex)
+            let contact = self.contact(from, &interface.curve);
+            ends.into_iter().find(|(p, _)| p.distance(from) <= contact).map(|(_, vertex)| vertex)
         })?;
         let near = rounding(self.interfaces);
         let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
