@@ -87,11 +87,16 @@ fn bounds(scene: &Scene, bodies: &[PlacedBody]) -> Bounds {
 
 fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
     let name = |k: usize| display_name(&scene.bodies[k], k);
+    let is_surface = |k: usize| matches!(scene.bodies[k].substance, Substance::Surface(_));
+    let cure = if is_surface(gap.earlier) || is_surface(gap.later) {
+        "give the surface the same coordinates as what it lies on"
+    } else {
+        "let the later body overlap the earlier one, or give both the same coordinates there"
+    };
     Problem::warning(
         format!("bodies[{}]", gap.later),
         format!("a gap or sliver of {:.2e} between `{}` and `{}`", gap.width, name(gap.earlier), name(gap.later)),
-        "light cannot tell it from contact (420 nm at 1 unit = 1 mm), but the trace can: let the later body overlap the \
-         earlier one, or let their boundaries coincide",
+        format!("it is thinner than light (420 nm at 1 unit = 1 mm), and yet rays see it: {cure}"),
     )
 }
 
