@@ -42,7 +42,7 @@ fn line_arc(line: &Curve, arc: &Curve, tolerance: f64) -> Vec<DVec2> {
     };
     let roots = CircleRoots::new(arc, line.a, direction);
     // The line's point nearest to the center: a touch is one point, not two close ones or none by rounding.
-    let middle = 0.5 * (roots.from_left + roots.from_right);
+    let middle = (arc.n + arc.curvature * (arc.m - line.a)).dot(direction) / arc.curvature;
     let distances = if arc.offset(line.a + middle * direction).abs() <= tolerance {
         vec![middle]
     } else if roots.meets {

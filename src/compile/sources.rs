@@ -121,7 +121,7 @@ impl Ground<'_> {
             let contact = self.contact(from, &interface.curve);
             ends.into_iter().find(|(p, _)| p.distance(from) <= contact).map(|(_, vertex)| vertex)
         })?;
-        let near = rounding(self.interfaces);
+        let near = rounding(self.interfaces, self.origin);
         let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
         let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
         let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first) { second } else { first })?;

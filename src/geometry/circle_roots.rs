@@ -27,10 +27,14 @@ impl CircleRoots {
         let gradient = n - curvature * q;
         let sine = cross(d, gradient).abs();
         let square = (1.0 - sine) * (1.0 + sine);
-        let root = square.max(0.0).sqrt();
         let (b, c) = (-gradient.dot(d), (curvature * q - 2.0 * n).dot(q));
+        if square <= 0.0 {
+            let nearest = -b / curvature;
+            return Self { meets: square >= 0.0, from_left: nearest, from_right: nearest };
+        }
+        let root = square.sqrt();
         Self {
-            meets: square >= 0.0,
+            meets: true,
             from_left: if b <= 0.0 { (root - b) / curvature } else { -c / (b + root) },
             from_right: if b >= 0.0 { -(b + root) / curvature } else { c / (root - b) },
         }
@@ -40,6 +44,7 @@ impl CircleRoots {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::Turn;
 
     #[test]
     fn a_chord_of_the_unit_circle() {
@@ -48,6 +53,16 @@ mod tests {
         assert!(roots.meets);
         // A left turn has its inside on the left: the line enters from the right.
         assert!((roots.from_right - 2.2).abs() < 1e-15 && (roots.from_left - 3.8).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_line_that_starts_where_it_touches_the_circle() {
+        let arc = Curve::arc(DVec2::X, DVec2::Y, -DVec2::X).unwrap();
+        for (angle, o) in [(30.0, 1.0 + f64::EPSILON), (45.0, 1.0 + 4.0 * f64::EPSILON)] {
+            let turn = Turn::degrees(angle);
+            let roots = CircleRoots::new(&arc, o * turn.direction(), turn.direction().perp());
+            assert!(roots.from_left.abs() < 1e-7 && roots.from_right.abs() < 1e-7, "{roots:?}");
+        }
     }
 
     #[test]

@@ -37,10 +37,11 @@ pub struct Interface {
 /// Tangents and relative curvatures that differ by less are one; far above their rounding.
 pub(crate) const SAME: f64 = 1e-12;
 
-/// Distances below this are rounding: 64 ulp of the largest coordinate of any interface.
-pub(crate) fn rounding(interfaces: &[Interface]) -> f64 {
+/// Distances below this are rounding: 64 ulp of the largest coordinate of any interface, relative to the origin or in the
+/// scene, since boundaries that coincide up to the rounding of their places are one.
+pub(crate) fn rounding(interfaces: &[Interface], origin: DVec2) -> f64 {
     let ends = interfaces.iter().flat_map(|interface| [interface.curve.a, interface.curve.b]);
-    64.0 * f64::EPSILON * ends.fold(0.0, |reach, p| p.abs().max_element().max(reach))
+    64.0 * f64::EPSILON * ends.fold(0.0, |reach, p| p.abs().max((p + origin).abs()).max_element().max(reach))
 }
 
 /// What an interface does to a ray.

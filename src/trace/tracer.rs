@@ -63,7 +63,7 @@ impl<'a> Tracer<'a> {
         Self {
             system,
             settings: system.settings,
-            near: rounding(&system.interfaces),
+            near: rounding(&system.interfaces, system.origin),
             segments_left: system.settings.max_segments,
             waiting: Vec::new(),
             indices: Vec::new(),

@@ -8,7 +8,7 @@ use snellius::scene::{SecondaryRays, Substance};
 use snellius::trace::{Ending, Segment, TracedRay, Via};
 
 use crate::oracle::{clearance, crossings, distance, index_at};
-use crate::scenes::{Random, free_scenes, lattice_scenes};
+use crate::scenes::{Random, free_scenes, lattice_scenes, turned_scenes};
 use crate::support::{Run, run_scene};
 use crate::{U, config};
 
@@ -26,6 +26,11 @@ proptest! {
     }
 
     #[test]
+    fn the_laws_hold_where_they_coincide_up_to_rounding(Random(scene) in turned_scenes()) {
+        check(&run_scene(scene));
+    }
+
+    #[test]
     fn the_same_scene_gives_the_same_bits(Random(scene) in free_scenes()) {
         prop_assert_eq!(run_scene(scene.clone()).trace, run_scene(scene).trace);
     }
@@ -35,6 +40,7 @@ proptest! {
 pub fn check(run: &Run) {
     let emitted = run.trace.summary.balance.emitted.value();
     assert!(run.trace.summary.balance.residual().abs() <= 64.0 * U * emitted, "{:?}", run.trace.summary.balance);
+    let grazing = grazing(run);
     for ray in &run.trace.tree.rays {
         order(ray);
         for segment in &ray.segments {
@@ -43,7 +49,7 @@ pub fn check(run: &Run) {
             medium(run, ray, segment);
             surfaces(run, segment);
             if let Some(parent) = parent {
-                bend(segment, parent);
+                bend(segment, parent, grazing);
             }
             powers(run, ray, segment);
         }
@@ -147,25 +153,34 @@ fn surfaces(run: &Run, segment: &Segment) {
         (None, Ending::Escaped) => f64::INFINITY,
         _ => return,
     };
+    // Where a ray grazes an arc, the oracle knows the place to the square root of its rounding only.
+    let margin = 1e-6 + 8.0 * (U * reach(run)).sqrt();
     for (body, placed) in run.scene.bodies.iter().zip(run.system.bodies()) {
         let Substance::Surface(_) = body.substance else { continue };
         for curve in placed.outlines.iter().flat_map(|outline| &outline.curves) {
-            for t in crossings(curve, from, direction).into_iter().filter(|t| 1e-6 < *t && *t < length - 1e-6) {
+            for t in crossings(curve, from, direction).into_iter().filter(|t| margin < *t && *t < length - margin) {
                 let p = from + t * direction;
-                let slanted = curve.normal_at(p).dot(direction).abs() > 1e-6;
-                let inside = p.distance(curve.a).min(p.distance(curve.b)) > 1e-6;
+                let slanted = curve.normal_at(p).dot(direction).abs() > margin;
+                let inside = p.distance(curve.a).min(p.distance(curve.b)) > margin;
                 assert!(!(slanted && inside), "through a surface at {p:?}: {segment:?}");
             }
         }
     }
 }
 
+/// How far a ray may head away from an edge that it meets: a vertex within 64 ulp of the scene's size off the ray counts as
+/// on either side of it, so that an edge which the ray runs along may be met from behind.
+fn grazing(run: &Run) -> f64 {
+    let shortest = run.system.interfaces().iter().map(|i| i.curve.a.distance(i.curve.b)).fold(f64::INFINITY, f64::min);
+    4.0 * U + 2.0 * 128.0 * U * reach(run) / shortest
+}
+
 /// Snell's law and the law of reflection, from the directions alone.
-fn bend(segment: &Segment, parent: &Segment) {
+fn bend(segment: &Segment, parent: &Segment, grazing: f64) {
     let hit = parent.hit.expect("a parent has a hit");
     let (v, d, n) = (parent.direction, segment.direction, hit.normal);
     let (along_v, along_d) = (v.perp_dot(n), d.perp_dot(n));
-    assert!(n.dot(v) <= 4.0 * U, "the normal points against the ray");
+    assert!(n.dot(v) <= grazing, "the normal points against the ray");
     // Unit vectors rounded a few times each: tangential components are good to 8 u.
     match segment.via {
         Via::Source => unreachable!("a source's segment has no parent"),
@@ -174,11 +189,12 @@ fn bend(segment: &Segment, parent: &Segment) {
             assert_eq!((hit.n_i, n_t), (parent.medium_index, segment.medium_index));
             let off = n_t * along_d - hit.n_i * along_v;
             assert!(off.abs() <= 8.0 * U * (hit.n_i + n_t), "Snell off by {:.1} u: {parent:?} {segment:?}", off / U);
-            assert!(n.dot(d) <= 8.0 * U, "transmitted to the far side");
+            assert!(n.dot(d) <= grazing, "transmitted to the far side");
         }
         Via::Reflection | Via::TotalInternalReflection => {
             assert_eq!(parent.medium_index.to_bits(), segment.medium_index.to_bits());
-            assert!((along_d - along_v).abs() <= 16.0 * U && (n.dot(d) + n.dot(v)).abs() <= 16.0 * U, "{segment:?}");
+            assert!((along_d - along_v).abs() <= 16.0 * U, "{segment:?}");
+            assert!((n.dot(d) - n.dot(-v).max(0.0)).abs() <= 16.0 * U, "{segment:?}");
             assert!(n.dot(d) >= -8.0 * U, "reflected to the near side");
         }
     }

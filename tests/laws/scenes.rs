@@ -61,6 +61,37 @@ pub fn lattice_scenes() -> impl Strategy<Value = Random> {
     scenes(lattice(3), prop_oneof![Just(0.0), Just(90.0), Just(180.0), Just(-90.0)], vec(lattice(6), 3))
 }
 
+/// A lattice scene turned as a whole, and moved: what coincided does so up to rounding.
+pub fn turned_scenes() -> impl Strategy<Value = Random> {
+    let angle = prop_oneof![-180.0..180.0, Just(30.0), Just(45.0)];
+    let shift = prop_oneof![Just(0.0), -1000.0..1000.0, -1e6..1e6];
+    (lattice_scenes(), angle, shift.clone(), shift)
+        .prop_map(|(Random(scene), angle, x, y)| Random(turned(scene, angle, DVec2::new(x, y))))
+}
+
+/// The whole scene turned about the coordinate origin, then moved.
+pub fn turned(scene: Scene, angle: f64, shift: DVec2) -> Scene {
+    let turn = |p: DVec2| Turn::degrees(angle).apply(p) + shift;
+    let bodies = scene.bodies.into_iter();
+    let bodies = bodies.map(|body| Body { at: turn(body.at), rotate: body.rotate + angle, ..body }).collect();
+    let heading = |direction| match direction {
+        Direction::Angle(degrees) => Direction::Angle(degrees + angle),
+        Direction::Towards(p) => Direction::Towards(turn(p)),
+    };
+    let light = |light| match light {
+        Light::Ray { from, direction } => Light::Ray { from: turn(from), direction: heading(direction) },
+        Light::Beam { center, direction, width, rays } => {
+            Light::Beam { center: turn(center), direction: heading(direction), width, rays }
+        }
+        Light::Fan { from, direction, spread, rays } => {
+            Light::Fan { from: turn(from), direction: heading(direction), spread, rays }
+        }
+        Light::Point { at, rays } => Light::Point { at: turn(at), rays },
+    };
+    let sources = scene.sources.into_iter().map(|source| Source { light: light(source.light), ..source }).collect();
+    Scene { bodies, sources, ..scene }
+}
+
 fn scenes(
     at: impl Strategy<Value = DVec2>,
     rotate: impl Strategy<Value = f64>,
