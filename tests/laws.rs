@@ -5,6 +5,8 @@
 
 mod support;
 
+#[path = "laws/leaks.rs"]
+mod leaks;
 #[path = "laws/oracle.rs"]
 mod oracle;
 #[path = "laws/properties.rs"]

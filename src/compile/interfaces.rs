@@ -24,27 +24,30 @@ pub(crate) struct OutlineRole {
     pub(crate) surface: Option<Surface>,
 }
 
+/// Whether light changes at a wall: one between equal media that carries no surface is no interface.
+pub(crate) fn is_interface(wall: &Interface) -> bool {
+    wall.left != wall.right || wall.action != Action::Refract
+}
+
 impl Sides<'_> {
-    /// The pieces at which light changes; a piece between equal media that carries no surface is none.
-    pub(crate) fn interfaces(&self, pieces: &[Piece]) -> Vec<Interface> {
+    /// The pieces with what lies on their sides, those between equal media too.
+    pub(crate) fn walls(&self, pieces: &[Piece]) -> Vec<Interface> {
         let mut vertices = BTreeMap::new();
         let mut vertex = |point: usize| {
             let next = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
             VertexId(*vertices.entry(point).or_insert(next))
         };
-        let changes = pieces.iter().filter_map(|piece| Some((piece, self.interface(piece)?)));
-        changes.map(|(piece, interface)| Interface { ends: piece.ends.map(&mut vertex), ..interface }).collect()
+        pieces.iter().map(|piece| Interface { ends: piece.ends.map(&mut vertex), ..self.wall(piece) }).collect()
     }
 
-    fn interface(&self, piece: &Piece) -> Option<Interface> {
+    fn wall(&self, piece: &Piece) -> Interface {
         let (left, right) = (self.medium_beside(piece, true), self.medium_beside(piece, false));
         let surface = piece.members.iter().rev().find_map(|member| Some((member, self.surface_of(member)?)));
         let (action, body) = match surface {
             Some((member, surface)) => (self.action(surface, member, piece), self.role(member).body),
-            None if left == right => return None,
-            None => (Action::Refract, piece.members.iter().map(|member| self.role(member).body).max()?),
+            None => (Action::Refract, piece.members.iter().map(|member| self.role(member).body).max().unwrap_or(0)),
         };
-        Some(Interface { curve: piece.curve, ends: [VertexId(0); 2], left, right, action, body })
+        Interface { curve: piece.curve, ends: [VertexId(0); 2], left, right, action, body }
     }
 
     /// The medium of the last region that holds the piece's left (or right) side.

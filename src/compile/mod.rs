@@ -14,13 +14,13 @@ use glam::DVec2;
 
 use crate::compile::arrangement::{Boundary, arrange};
 use crate::compile::gaps::{Gap, gaps};
-use crate::compile::interfaces::{OutlineRole, Sides};
+use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
 use crate::compile::region::Region;
 use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, Curve, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
-use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody};
+use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody, rounding};
 
 /// A compiled scene and what is suspicious about it.
 #[derive(Clone, Debug)]
@@ -52,14 +52,15 @@ pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
     let regions = layout.regions(&boundaries);
     let pieces = arrange(&boundaries);
     let sides = Sides { boundaries: &boundaries, regions: &regions, outlines: &layout.roles, surroundings };
-    let interfaces = sides.interfaces(&pieces);
-    let ground = Ground { origin, interfaces: &interfaces, regions: &regions, surroundings };
+    let walls = sides.walls(&pieces);
+    let interfaces: Vec<_> = walls.iter().filter(|wall| is_interface(wall)).cloned().collect();
+    let ground = Ground { origin, walls: &walls, near: rounding(&interfaces, origin), regions: &regions, surroundings };
     let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
     let warnings = gaps(&boundaries, &layout.roles).into_iter().map(|gap| gap_warning(scene, gap)).collect();
     let system = OpticalSystem {
         origin,
-        dropped: pieces.len() - interfaces.len(),
+        dropped: walls.len() - interfaces.len(),
         media: media.list,
         surroundings,
         screens: (0..scene.bodies.len()).filter(|&k| is_screen(&scene.bodies[k])).collect(),

@@ -3,17 +3,21 @@
 use glam::DVec2;
 
 use crate::compile::arrangement::{lies_on, tolerance};
+use crate::compile::interfaces::is_interface;
 use crate::compile::region::Region;
 use crate::geometry::Curve;
 use crate::light::{Power, Wavelength};
 use crate::numerics::{Turn, cross};
 use crate::scene::{Direction, Light, Polarization, Source};
-use crate::system::{Interface, MediumId, PlacedSource, RayStart, SAME, Start, VertexId, rounding};
+use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId};
 
 /// What rays start among.
 pub(crate) struct Ground<'a> {
     pub(crate) origin: DVec2,
-    pub(crate) interfaces: &'a [Interface],
+    /// Boundaries between equal media too.
+    pub(crate) walls: &'a [Interface],
+    /// Distances below this are rounding.
+    pub(crate) near: f64,
     /// In painter's order.
     pub(crate) regions: &'a [Region],
     pub(crate) surroundings: MediumId,
@@ -80,7 +84,7 @@ impl Ground<'_> {
     fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
         let (start, medium) = self
             .at_vertex(from, direction)
-            .or_else(|| self.on_interface(from, direction))
+            .or_else(|| self.on_wall(from, direction))
             .unwrap_or_else(|| (Start::Free, self.medium_at(from)));
         RayStart { from, direction, medium, start }
     }
@@ -97,10 +101,13 @@ impl Ground<'_> {
         tolerance([from, curve.a, curve.b].map(reach).into_iter().fold(0.0, f64::max))
     }
 
-    fn on_interface(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
-        let holds = |interface: &Interface| lies_on(&interface.curve, from, self.contact(from, &interface.curve));
-        let interface = self.interfaces.iter().position(holds)?;
-        let Interface { curve, left: on_left, right: on_right, .. } = &self.interfaces[interface];
+    fn on_wall(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
+        let holds = |wall: &Interface| lies_on(&wall.curve, from, self.contact(from, &wall.curve));
+        // An interface before a boundary that touches it between equal media.
+        let interface = self.walls.iter().position(|wall| is_interface(wall) && holds(wall));
+        let place = interface.or_else(|| self.walls.iter().position(holds))?;
+        let wall = &self.walls[place];
+        let Interface { curve, left: on_left, right: on_right, .. } = wall;
         let rise = curve.normal_at(from).dot(direction);
         let left = if rise != 0.0 {
             rise > 0.0
@@ -110,21 +117,24 @@ impl Ground<'_> {
         } else {
             curve.curvature < 0.0
         };
-        Some((Start::On { interface, left }, if left { *on_left } else { *on_right }))
+        let interface = self.walls[..place].iter().filter(|wall| is_interface(wall)).count();
+        let start = if is_interface(wall) { Start::On { interface, left } } else { Start::Free };
+        Some((start, if left { *on_left } else { *on_right }))
     }
 
     /// At a vertex the ray starts in the sector it heads into: on the counter-clockwise side of the interface that comes
     /// last before it, turning counter-clockwise.
     fn at_vertex(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
-        let vertex = self.interfaces.iter().find_map(|interface| {
+        let vertex = self.walls.iter().find_map(|interface| {
             let ends = [(interface.curve.a, interface.ends[0]), (interface.curve.b, interface.ends[1])];
             let contact = self.contact(from, &interface.curve);
             ends.into_iter().find(|(p, _)| p.distance(from) <= contact).map(|(_, vertex)| vertex)
         })?;
-        let near = rounding(self.interfaces, self.origin);
-        let sectors = self.interfaces.iter().flat_map(|interface| sectors(interface, vertex));
+        let near = self.near;
+        let sectors = self.walls.iter().flat_map(|interface| sectors(interface, vertex));
         let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
-        let before = turned.reduce(|first, second| if Sector::is_nearer(&second, &first) { second } else { first })?;
+        let before =
+            turned.reduce(|first, second| if Sector::is_nearer(&second, &first, near) { second } else { first })?;
         Some((Start::AtVertex(vertex), before.1.medium))
     }
 }
@@ -133,7 +143,7 @@ impl Ground<'_> {
 struct Sector {
     /// Unit direction.
     along: DVec2,
-    /// How far a straight edge goes on; 0 for an arc.
+    /// How far the line or circle goes on: the edge's length, or the diameter.
     length: f64,
     /// Positive where it bends counter-clockwise.
     bend: f64,
@@ -146,7 +156,7 @@ impl Sector {
     /// rounding, is on its left.
     fn turn_to(&self, direction: DVec2, near: f64) -> f64 {
         let (sin, cos) = (cross(self.along, direction), self.along.dot(direction));
-        let is_along = cos > 0.0 && if self.bend == 0.0 { sin.abs() * self.length <= near } else { sin.abs() <= SAME };
+        let is_along = cos > 0.0 && sin.abs() * self.length <= near;
         match (is_along, sin >= 0.0) {
             (true, _) if self.bend > 0.0 => 4.0,
             (true, _) => 0.0,
@@ -157,15 +167,16 @@ impl Sector {
 
     /// Whether it is nearer to a ray than another, each with its turn to it; of two tangent ones that which bends more
     /// towards the ray.
-    fn is_nearer((turn, sector): &(f64, Self), (other_turn, other): &(f64, Self)) -> bool {
-        if (turn - other_turn).abs() <= SAME { sector.bend > other.bend } else { turn < other_turn }
+    fn is_nearer((turn, sector): &(f64, Self), (other_turn, other): &(f64, Self), near: f64) -> bool {
+        let tangent = (turn - other_turn).abs() * sector.length.min(other.length) <= near;
+        if tangent { sector.bend > other.bend } else { turn < other_turn }
     }
 }
 
 /// The ways in which an interface leaves a vertex.
 fn sectors(interface: &Interface, vertex: VertexId) -> Vec<Sector> {
     let Interface { curve, ends, left, right, .. } = interface;
-    let length = if curve.is_straight() { curve.length() } else { 0.0 };
+    let length = if curve.is_straight() { curve.length() } else { 2.0 / curve.curvature.abs() };
     let mut sectors = Vec::new();
     if ends[0] == vertex {
         sectors.push(Sector { along: curve.tangent_at(curve.a), length, bend: curve.curvature, medium: *left });

@@ -34,9 +34,6 @@ pub struct Interface {
     pub body: usize,
 }
 
-/// Tangents and relative curvatures that differ by less are one; far above their rounding.
-pub(crate) const SAME: f64 = 1e-12;
-
 /// Distances below this are rounding: 64 ulp of the largest coordinate of any interface, relative to the origin or in the
 /// scene, since boundaries that coincide up to the rounding of their places are one.
 pub(crate) fn rounding(interfaces: &[Interface], origin: DVec2) -> f64 {

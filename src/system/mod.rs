@@ -3,8 +3,8 @@
 mod interface;
 mod placed;
 
+pub(crate) use interface::rounding;
 pub use interface::{Action, Interface, MediumId, VertexId};
-pub(crate) use interface::{SAME, rounding};
 pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
 use glam::DVec2;

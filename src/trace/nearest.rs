@@ -9,7 +9,7 @@ use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side};
-use crate::system::{Interface, MediumId, SAME, Start, VertexId};
+use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -84,8 +84,14 @@ impl Probe<'_> {
         {
             return heads_left == (end == 0);
         }
-        let turn = self.ray.direction.perp_dot(p - self.ray.from);
-        if turn.abs() > self.near { turn > 0.0 } else { self.leaves_on_the_left(p) }
+        let to_vertex = p - self.ray.from;
+        let turn = self.ray.direction.perp_dot(to_vertex);
+        if turn.abs() > self.near {
+            return turn > 0.0;
+        }
+        // A free start is as exact as it is given.
+        let exact = if self.ray.start == Start::Free { cross(self.ray.direction, to_vertex) } else { 0.0 };
+        if exact == 0.0 { self.leaves_on_the_left(p) } else { exact > 0.0 }
     }
 
     /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
@@ -108,11 +114,20 @@ impl Probe<'_> {
     fn edge(&self, candidate: &Interface) -> Met {
         let from_left = self.passes_from_left(candidate)?;
         let Curve { a, b, m, n, .. } = candidate.curve;
-        let along = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
-        let distance = n.dot(m - self.ray.from) / n.dot(self.ray.direction);
-        // An edge along the ray, up to rounding, is met between its ends too.
-        let distance = distance.max(along[0].min(along[1])).min(along[0].max(along[1]));
-        self.ahead(candidate, distance).map(|distance| (distance, from_left))
+        let [a, b] = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
+        let across = n.dot(self.ray.direction);
+        // An edge along the ray, up to rounding, is met at once.
+        let is_along = across.abs() * (a - b).abs() <= self.near;
+        let distance = if is_along { 0.0 } else { n.dot(m - self.ray.from) / across };
+        let distance = distance.max(a.min(b)).min(a.max(b));
+        let ahead = if self.touches_last(candidate) {
+            self.ahead(candidate, distance)?
+        } else {
+            // Ahead if the ray starts on the side that it comes from.
+            let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);
+            (start != 0.0 && (start > 0.0) == from_left).then_some(distance.max(0.0))?
+        };
+        Some((ahead, from_left))
     }
 
     fn arc(&self, candidate: &Interface) -> [Met; 2] {
@@ -174,12 +189,19 @@ impl Probe<'_> {
         let corner = self.last.and_then(|(last, left)| Some((last, left, self.shared_end(last, candidate)?)));
         let Some((last, heads_left, start)) = corner else { return (distance > 0.0).then_some(distance) };
         let both_straight = last.curve.is_straight() && candidate.curve.is_straight();
-        if distance.abs() > self.near && !both_straight {
+        let met = candidate.curve.normal_at(self.ray.from + distance * self.ray.direction);
+        let is_clear = candidate.curve.offset(self.ray.from).abs() > self.near
+            || (distance * met.dot(self.ray.direction)).abs() > self.near;
+        if is_clear && !both_straight {
             return (distance > 0.0).then_some(distance);
         }
         let ahead =
-            opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
+            self.opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
         ahead.then_some(distance.max(0.0))
+    }
+
+    fn touches_last(&self, candidate: &Interface) -> bool {
+        self.last.is_some_and(|(last, _)| self.shared_end(last, candidate).is_some())
     }
 
     /// Whether the end that a candidate shares with the interface the ray stands on is its start; of two such ends the
@@ -192,27 +214,28 @@ impl Probe<'_> {
             [start, end] => (start || end).then_some(start),
         }
     }
-}
 
-/// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run on
-/// one line or circle.
-fn opens_to(last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
-    let Curve { a, b, .. } = candidate.curve;
-    let (vertex, other) = if start { (a, b) } else { (b, a) };
-    let turn = if last.curve.is_straight() && candidate.curve.is_straight() {
-        side(last.curve.a, last.curve.b, other)
-    } else {
-        let (along, tangent) = (last.curve.tangent_at(vertex), candidate.curve.tangent_at(vertex));
-        let turn = cross(along, if start { tangent } else { -tangent });
-        // Rounding of two tangents; closer than this they are one, and the stronger curvature decides.
-        if turn.abs() <= SAME { bend(&last.curve, &candidate.curve, along.dot(tangent)) } else { turn }
-    };
-    (turn != 0.0).then_some(turn > 0.0)
+    /// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run
+    /// on one line or circle.
+    fn opens_to(&self, last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
+        let (last, candidate) = (&last.curve, &candidate.curve);
+        let (vertex, other) = if start { (candidate.a, candidate.b) } else { (candidate.b, candidate.a) };
+        let turn = if last.is_straight() && candidate.is_straight() {
+            side(last.a, last.b, other)
+        } else {
+            let (along, tangent) = (last.tangent_at(vertex), candidate.tangent_at(vertex));
+            let turn = cross(along, if start { tangent } else { -tangent });
+            // Tangent up to the rounding of the two: the stronger curvature decides.
+            let length = last.a.distance(last.b).min(candidate.a.distance(candidate.b));
+            if turn.abs() * length <= self.near { bend(last, candidate, along.dot(tangent)) } else { turn }
+        };
+        (turn != 0.0).then_some(turn > 0.0)
+    }
 }
 
 /// Curvature of `candidate` above that of `last` where the two touch, seen along `last`; 0 where they are equal.
 fn bend(last: &Curve, candidate: &Curve, sense: f64) -> f64 {
-    let curvature = candidate.curvature * sense.signum();
-    let bend = curvature - last.curvature;
-    if bend.abs() <= SAME * last.curvature.abs() { 0.0 } else { bend }
+    let bend = candidate.curvature * sense.signum() - last.curvature;
+    // Far above the rounding of a curvature.
+    if bend.abs() <= 1e-12 * last.curvature.abs() { 0.0 } else { bend }
 }
