@@ -13,12 +13,13 @@ const MOST_LINES: usize = 3000;
 const FORBIDDEN: f64 = 1e6;
 
 /// Every body's label, or else its name, inside where there is room and beside it where not.
-pub(super) fn labels(figure: &Figure<'_>, normals: &[Item]) -> Vec<Item> {
+/// `marks` are further lines to keep off.
+pub(super) fn labels(figure: &Figure<'_>, marks: &[&[Item]]) -> Vec<Item> {
     if !figure.scene.diagram.labels {
         return Vec::new();
     }
     let shapes: Vec<Vec<Shape>> = (0..figure.system.bodies().len()).map(|k| shapes(figure, k)).collect();
-    let mut room = Room { area: figure.frame.area, lines: lines(figure, &shapes, normals), taken: notes(figure) };
+    let mut room = Room { area: figure.frame.area, lines: lines(figure, &shapes, marks), taken: notes(figure) };
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
         let Some(words) = words(figure, k) else { continue };
@@ -66,11 +67,11 @@ fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
     shapes.collect()
 }
 
-/// Outlines, normals and rays, which labels keep off.
-fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], normals: &[Item]) -> Vec<[DVec2; 2]> {
+/// Outlines, rays and other marks, which labels keep off.
+fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], marks: &[&[Item]]) -> Vec<[DVec2; 2]> {
     let chords = shapes.iter().flatten().flat_map(|shape| shape.points.windows(2));
     let mut lines: Vec<[DVec2; 2]> = chords.map(|pair| [pair[0], pair[1]]).collect();
-    for item in normals {
+    for item in marks.iter().copied().flatten() {
         if let Item::Shape(shape) = item
             && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
         {
