@@ -20,6 +20,7 @@ mod scale_bar;
 mod sources;
 mod surfaces;
 mod view;
+mod wrap;
 
 use crate::drawing::{Drawing, Group, Item, Rect};
 use crate::scene::Scene;

@@ -4,8 +4,8 @@ use std::fmt;
 
 use glam::DVec2;
 use kurbo::{Arc, Point, SvgArc, Vec2};
-use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, StrokeDash};
 use tiny_skia::Transform;
+use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, StrokeDash};
 
 use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
 
