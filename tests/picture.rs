@@ -75,7 +75,7 @@ fn the_first_figure_holds_what_is_promised() {
         assert!(ray.attribute("class").unwrap().split(' ').any(|class| class == via));
         assert!((power(ray) - share).abs() < 1e-3);
     }
-    assert!(of_class(&document, "normal").len() >= 3);
+    assert!(!of_class(&document, "normal").is_empty());
     assert!(of_class(&document, "arrow").len() >= 4);
 }
 
@@ -216,6 +216,7 @@ fn very_many_rays_share_paths() {
     assert!(rays.iter().all(|ray| ray.attribute("data-address").is_none()));
     let pieces: usize = rays.iter().map(|ray| ray.attribute("d").unwrap().matches('M').count()).sum();
     assert!(pieces > 2000);
+    assert!(text.len() <= 80 * pieces, "{} bytes for {pieces} segments", text.len());
 }
 
 #[test]

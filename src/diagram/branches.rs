@@ -9,8 +9,10 @@ use crate::trace::{Ending, RayTree, Segment, SegmentId, TracedRay};
 const STUB: f64 = 14.0;
 /// Lines of one ray whose ends are all within this many pixels are one line to the eye.
 const COINCIDENT: f64 = 0.25;
+/// Lines farther apart are seen as several, pixels.
+const SEEN_APART: f64 = 3.0;
 /// More spectral lines side by side have one arrowhead.
-pub(super) const FEW_LINES: usize = 6;
+const FEW_LINES: usize = 6;
 
 /// A segment as the figure shows it.
 #[derive(Clone, Copy, Debug)]
@@ -25,13 +27,37 @@ pub(super) struct Branch<'a> {
     pub(super) together: bool,
     /// How many spectral lines its source ray has.
     pub(super) lines: usize,
+    /// The bundle of lines that it is one of, if they part.
+    pub(super) fan: Option<Fan>,
     /// Whether an arrowhead stands for it; of many lines fanned out, one has it for all.
     pub(super) arrow: bool,
     /// The visible part, pixels.
     pub(super) ends: [DVec2; 2],
 }
 
-impl Branch<'_> {
+/// Spectral lines of one ray that took the same path and do not coincide.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fan {
+    /// Tells fans apart.
+    pub(super) id: usize,
+    /// How far apart its lines are half way, pixels.
+    pub(super) spread: f64,
+}
+
+impl Fan {
+    /// Whether the eye sees one line half way.
+    pub(super) fn closed(&self) -> bool {
+        self.spread < SEEN_APART
+    }
+}
+
+impl<'a> Branch<'a> {
+    /// A segment by itself between two points of the figure.
+    pub(super) fn plain(ray: &'a TracedRay, segment: &'a Segment, ends: [DVec2; 2]) -> Self {
+        let (power, share) = (segment.power.total(), share(ray, segment));
+        Self { ray, segment, power, share, together: false, lines: 1, fan: None, arrow: true, ends }
+    }
+
     /// Its address, the first line's if it stands for several.
     pub(super) fn address(&self) -> String {
         self.ray.address(self.segment.id)
@@ -80,9 +106,7 @@ pub(super) fn visible<'a>(tree: &'a RayTree, frame: &Frame, faintest: f64) -> Ve
 }
 
 fn single<'a>(ray: &'a TracedRay, segment: &'a Segment, lines: usize, frame: &Frame) -> Option<Branch<'a>> {
-    let ends = ends(segment, frame)?;
-    let (power, share) = (segment.power.total(), share(ray, segment));
-    Some(Branch { ray, segment, power, share, together: false, lines, arrow: true, ends })
+    Some(Branch { lines, ..Branch::plain(ray, segment, ends(segment, frame)?) })
 }
 
 /// Branches of one ray's spectral lines: those of one path become one where they all coincide.
@@ -98,18 +122,31 @@ fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<
             Some(first) if bundle.len() > 1 && bundle.iter().all(|other| coincide(first, other)) => {
                 branches.push(merged(*first, &bundle));
             }
-            _ => branches.extend(fanned(bundle)),
+            // The number of branches so far is a name that no other bundle has.
+            _ => branches.extend(fanned(bundle, branches.len())),
         }
     }
 }
 
-/// The same lines, the arrowhead on the middle one if they are many.
-fn fanned(mut bundle: Vec<Branch<'_>>) -> Vec<Branch<'_>> {
+/// The same lines as a fan, the arrowhead on the middle one if they are many or hardly part.
+fn fanned(mut bundle: Vec<Branch<'_>>, id: usize) -> Vec<Branch<'_>> {
     let middle = bundle.len() / 2;
-    if bundle.len() > FEW_LINES {
-        bundle.iter_mut().enumerate().for_each(|(i, branch)| branch.arrow = i == middle);
+    let fan = Fan { id, spread: spread(&bundle) };
+    let one = bundle.len() > FEW_LINES || fan.closed();
+    for (i, branch) in bundle.iter_mut().enumerate() {
+        branch.fan = Some(fan);
+        branch.arrow = !one || i == middle;
     }
     bundle
+}
+
+/// How far apart lines are half way along the first.
+fn spread(bundle: &[Branch<'_>]) -> f64 {
+    let Some(first) = bundle.first() else { return 0.0 };
+    let across = first.direction().perp();
+    let middles = bundle.iter().map(|branch| (0.5 * (branch.ends[0] + branch.ends[1])).dot(across));
+    let (low, high) = middles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+    high - low
 }
 
 fn merged<'a>(first: Branch<'a>, bundle: &[Branch<'a>]) -> Branch<'a> {

@@ -1,6 +1,7 @@
 use glam::DVec2;
 
 use crate::diagram::palette::Palette;
+use crate::diagram::wrap::wrap;
 use crate::drawing::{Font, Item, Text};
 use crate::scene::Scene;
 
@@ -38,53 +39,4 @@ pub(super) fn header(scene: &Scene, palette: &Palette) -> (Vec<Item>, f64) {
         y += 18.0 * shrink;
     }
     (items, below + 18.0 * shrink)
-}
-
-/// Breaks text into lines of at most `width` ems, between words where it can.
-fn wrap(text: &str, font: Font, width: f64) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    let mut line = String::new();
-    for word in text.split_whitespace() {
-        let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
-        if font.width(&longer) <= width {
-            line = longer;
-            continue;
-        }
-        lines.extend(Some(std::mem::take(&mut line)).filter(|line| !line.is_empty()));
-        line = break_word(word, font, width, &mut lines);
-    }
-    lines.extend(Some(line).filter(|line| !line.is_empty()));
-    lines
-}
-
-/// Puts full lines of a word that is too long into `lines` and returns the rest.
-fn break_word(word: &str, font: Font, width: f64, lines: &mut Vec<String>) -> String {
-    let mut line = String::new();
-    let mut length = 0.0;
-    for character in word.chars() {
-        let advance = font.advance(character);
-        if length + advance > width && !line.is_empty() {
-            lines.push(std::mem::take(&mut line));
-            length = 0.0;
-        }
-        line.push(character);
-        length += advance;
-    }
-    line
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_line_is_longer_than_the_width() {
-        let text = "Light meets the hypotenuse at 45°. Donaudampfschifffahrtsgesellschaft is long.";
-        let lines = wrap(text, Font::Regular, 12.0);
-        assert!(lines.len() > 3);
-        assert!(lines.iter().all(|line| Font::Regular.width(line) <= 12.0));
-        assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
-        assert!(wrap(" \n", Font::Bold, 12.0).is_empty());
-        assert_eq!(wrap("ab", Font::Bold, 0.0), ["a", "b"], "never stuck");
-    }
 }

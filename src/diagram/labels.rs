@@ -1,8 +1,9 @@
 use glam::DVec2;
 
 use crate::diagram::frame::clip;
-use crate::diagram::{Figure, bodies, outline};
+use crate::diagram::{Figure, bodies, outline, surfaces};
 use crate::drawing::{Anchor, Color, Item, PathStep, Rect, Text};
+use crate::scene::{Substance, Surface};
 
 const SIZE: f64 = 12.0;
 /// Free space between a label and what it names, pixels.
@@ -13,20 +14,24 @@ const MOST_LINES: usize = 3000;
 const FORBIDDEN: f64 = 1e6;
 
 /// Every body's label, or else its name, inside where there is room and beside it where not.
-pub(super) fn labels(figure: &Figure<'_>, normals: &[Item]) -> Vec<Item> {
+/// `marks` are further lines to keep off.
+pub(super) fn labels(figure: &Figure<'_>, marks: &[&[Item]]) -> Vec<Item> {
     if !figure.scene.diagram.labels {
         return Vec::new();
     }
     let shapes: Vec<Vec<Shape>> = (0..figure.system.bodies().len()).map(|k| shapes(figure, k)).collect();
-    let mut room = Room { area: figure.frame.area, lines: lines(figure, &shapes, normals), taken: notes(figure) };
+    let boxes = shapes.iter().map(|shapes| seen(shapes, &figure.frame.area)).collect();
+    let mut room =
+        Room { boxes, area: figure.frame.area, lines: lines(figure, &shapes, marks), taken: notes(figure), own: 0 };
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
         let Some(words) = words(figure, k) else { continue };
         let text = Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label");
         let later = &shapes[k + 1..];
+        room.own = k;
         let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area));
         let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
-            let beside = room.best(&text, &beside(&shapes[k], &text, &room.area));
+            let beside = room.best(&text, &room.away_from_others(beside(&shapes[k], &text, &room.area), &text));
             [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
         });
         if let Some((_, middle)) = place {
@@ -57,20 +62,25 @@ struct Shape {
 }
 
 fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
+    let substance = figure.scene.bodies.get(k).map(|body| &body.substance);
+    // The barbs of a diverging lens reach beyond its ends.
+    let barbed =
+        matches!(substance, Some(Substance::Surface(Surface::ThinLens { focal_length })) if *focal_length < 0.0);
     let outlines = figure.system.bodies()[k].outlines.iter();
     let shapes = outlines.filter_map(|outline| {
         let points = outline::flatten(&figure.frame, &outline.curves);
         let [min, max] = [points.iter().copied().reduce(DVec2::min)?, points.iter().copied().reduce(DVec2::max)?];
-        Some(Shape { points, filled: outline.closed, bounds: Rect { min, max } })
+        let bounds = Rect { min, max }.grown(if barbed { surfaces::BARB } else { 0.0 });
+        Some(Shape { points, filled: outline.closed, bounds })
     });
     shapes.collect()
 }
 
-/// Outlines, normals and rays, which labels keep off.
-fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], normals: &[Item]) -> Vec<[DVec2; 2]> {
+/// Outlines, rays and other marks, which labels keep off.
+fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], marks: &[&[Item]]) -> Vec<[DVec2; 2]> {
     let chords = shapes.iter().flatten().flat_map(|shape| shape.points.windows(2));
     let mut lines: Vec<[DVec2; 2]> = chords.map(|pair| [pair[0], pair[1]]).collect();
-    for item in normals {
+    for item in marks.iter().copied().flatten() {
         if let Item::Shape(shape) = item
             && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
         {
@@ -176,9 +186,35 @@ struct Room {
     area: Rect,
     lines: Vec<[DVec2; 2]>,
     taken: Vec<Rect>,
+    /// What is seen of every body.
+    boxes: Vec<Option<Rect>>,
+    /// The body that a place is sought for.
+    own: usize,
 }
 
 impl Room {
+    /// The same places, dearer where another body is nearer than the own one and the words would seem to be its.
+    fn away_from_others(&self, places: Vec<(f64, DVec2)>, text: &Text) -> Vec<(f64, DVec2)> {
+        let priced = places.into_iter().map(|(cost, p)| {
+            let rect = centered(text, p).bounds();
+            let apart = |k: usize| self.boxes[k].map(|other| gap(&rect, &other));
+            let others = (0..self.boxes.len()).filter(|k| *k != self.own).filter_map(apart);
+            let nearest = others.fold(f64::INFINITY, f64::min);
+            let own = apart(self.own).unwrap_or(0.0);
+            (
+                if nearest <= own {
+                    cost + 6.0
+                } else if nearest < 2.0 * own {
+                    cost + 2.0
+                } else {
+                    cost
+                },
+                p,
+            )
+        });
+        priced.collect()
+    }
+
     /// The cheapest place and its cost; `None` if every one is forbidden.
     fn best(&self, text: &Text, places: &[(f64, DVec2)]) -> Option<(f64, DVec2)> {
         let rects: Vec<Rect> = places.iter().map(|(_, p)| centered(text, *p).bounds()).collect();
@@ -195,6 +231,11 @@ impl Room {
         }
         lines.iter().filter(|line| crosses(line, rect)).map(|_| 10.0).sum()
     }
+}
+
+/// Distance of two rectangles, 0 where they overlap.
+fn gap(a: &Rect, b: &Rect) -> f64 {
+    (a.min - b.max).max(b.min - a.max).max(DVec2::ZERO).length()
 }
 
 /// Whether a line comes closer to a place than is good to read.

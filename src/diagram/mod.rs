@@ -5,6 +5,7 @@
 mod arrows;
 mod bodies;
 mod branches;
+mod extensions;
 mod frame;
 mod grid;
 mod header;
@@ -19,6 +20,7 @@ mod scale_bar;
 mod sources;
 mod surfaces;
 mod view;
+mod wrap;
 
 use crate::drawing::{Drawing, Group, Item, Rect};
 use crate::scene::Scene;
@@ -73,8 +75,10 @@ impl Figure<'_> {
             layers.push(self.layer("grid", grid::grid(self)));
         }
         layers.push(self.layer("surfaces", surfaces::surfaces(self)));
-        let words = labels::labels(self, &normals);
+        let extensions = extensions::extensions(self);
+        let words = labels::labels(self, &[&normals, &extensions]);
         layers.push(self.layer("normals", normals));
+        layers.push(self.layer("extensions", extensions));
         layers.push(self.layer("rays", rays::rays(self)));
         if settings.arrows {
             layers.push(self.layer("arrows", arrows::arrows(self)));

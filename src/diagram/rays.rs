@@ -2,7 +2,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
-use crate::drawing::{Color, Item, Path, Shape, Stroke, shortest};
+use crate::drawing::{Color, Group, Item, Path, Shape, Stroke, shortest};
 use crate::scene::{RayColor, Theme};
 
 /// With more branches than this, those of one style share a path.
@@ -24,32 +24,66 @@ pub(super) fn rays(figure: &Figure<'_>) -> Vec<Item> {
     if figure.branches.len() > MOST_SINGLE {
         return by_style(figure, &styles);
     }
-    let items = figure.branches.iter().map(|branch| {
-        let path = Path::line(branch.ends[0], branch.ends[1]);
-        Shape::stroked(path, styles.stroke(branch, strength(branch.share)), &class(branch))
-            .with("data-address", branch.address())
-            .with("data-power", shortest(branch.power))
-            .into()
+    let mut fans: BTreeMap<usize, Vec<&Branch<'_>>> = BTreeMap::new();
+    for branch in &figure.branches {
+        if let Some(fan) = branch.fan.filter(|_| styles.adds_up(branch)) {
+            fans.entry(fan.id).or_default().push(branch);
+        }
+    }
+    let items = figure.branches.iter().filter_map(|branch| {
+        match branch.fan.and_then(|fan| fans.get(&fan.id)) {
+            None => Some(single(branch, styles.stroke(branch, strength(branch.share))).into()),
+            // A fan stands where its strongest line would.
+            Some(fan) => fan.last().is_some_and(|last| std::ptr::eq(*last, branch)).then(|| spectrum(&styles, fan)),
+        }
     });
     items.collect()
 }
 
+fn single(branch: &Branch<'_>, stroke: Stroke) -> Shape {
+    let path = Path::line(branch.ends[0], branch.ends[1]);
+    Shape::stroked(path, stroke, &class(branch))
+        .with("data-address", branch.address())
+        .with("data-power", shortest(branch.power))
+}
+
+/// Lines of one ray, whose colors add up where they overlap. The whole has the strongest line's opacity, so that many weak
+/// lines over each other stay weak.
+fn spectrum(styles: &Styles<'_>, fan: &[&Branch<'_>]) -> Item {
+    let strongest = fan.iter().map(|branch| opacity(strength(branch.share))).fold(0.0, f64::max);
+    let lines = fan.iter().map(|branch| {
+        let strength = strength(branch.share);
+        single(branch, styles.stroke(branch, strength).faded(opacity(strength) / strongest)).into()
+    });
+    Item::from(Group::layer("spectrum", lines.collect()).of_light(strongest))
+}
+
 fn by_style(figure: &Figure<'_>, styles: &Styles<'_>) -> Vec<Item> {
-    let mut paths: BTreeMap<(u8, &'static str, Color, usize), (Path, Stroke)> = BTreeMap::new();
+    let mut levels: BTreeMap<(u8, bool), BTreeMap<_, (Path, Stroke)>> = BTreeMap::new();
     for branch in &figure.branches {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 24")]
         let level = (strength(branch.share) * LEVELS).round() as u8;
         let stroke = || styles.stroke(branch, f64::from(level) / LEVELS);
-        let key = (level, branch.segment.via.word(), styles.color(branch), styles.dash(branch));
+        let paths = levels.entry((level, styles.adds_up(branch))).or_default();
+        let key = (branch.segment.via.word(), styles.color(branch), styles.dash(branch));
         let (path, _) = paths.entry(key).or_insert_with(|| (Path::new(), stroke()));
         path.move_to(branch.ends[0]);
         path.line_to(branch.ends[1]);
     }
-    let shapes = paths.into_iter().map(|((_, via, ..), (path, stroke))| {
-        let class = format!("ray {via}");
-        Shape::stroked(path, stroke, &class).into()
-    });
-    shapes.collect()
+    let mut items: Vec<Item> = Vec::new();
+    for ((_, adds_up), paths) in levels {
+        let together = paths.values().next().map_or(1.0, |(_, stroke)| stroke.opacity);
+        let shapes = paths.into_iter().map(|((via, ..), (path, stroke))| {
+            let stroke = if adds_up { stroke.faded(1.0) } else { stroke };
+            Item::from(Shape::stroked(path, stroke, &format!("ray {via}")))
+        });
+        if adds_up {
+            items.push(Group::layer("spectrum", shapes.collect()).of_light(together).into());
+        } else {
+            items.extend(shapes);
+        }
+    }
+    items
 }
 
 fn class(branch: &Branch<'_>) -> String {
@@ -107,6 +141,20 @@ impl<'a> Styles<'a> {
             (None, RayColor::Auto) if self.lines.len() < 2 => palette.ray,
             (None, RayColor::Auto | RayColor::Wavelength) => palette.wavelength(wavelength),
         }
+    }
+
+    /// Color of a branch and all lines that run with it.
+    pub(super) fn together(&self, branch: &Branch<'_>) -> Color {
+        self.color(&Branch { together: true, ..*branch })
+    }
+
+    /// Whether the colors of a branch and of its neighbors are those of light and add up where they overlap. On a dark
+    /// ground, light is added; on a light one, where adding ends in the ground's white, lines cover each other.
+    fn adds_up(&self, branch: &Branch<'_>) -> bool {
+        let own = self.figure.scene.sources.get(branch.ray.source).is_some_and(|source| source.color.is_some());
+        let settings = &self.figure.scene.diagram;
+        let by_wavelength = matches!(settings.color, RayColor::Auto | RayColor::Wavelength);
+        branch.fan.is_some() && by_wavelength && !own && settings.theme == Theme::Dark
     }
 
     /// Which dashes a branch has: solid, but for a few lines in print, where dashes stand for colors.

@@ -1,8 +1,9 @@
 use glam::DVec2;
 
 use crate::diagram::{Figure, bodies, outline};
-use crate::drawing::{Cap, Color, Item, Path, Shape, Stroke};
+use crate::drawing::{Cap, Color, Fill, Item, Path, Shape, Stroke};
 use crate::geometry::Curve;
+use crate::numerics::cross;
 use crate::scene::{Substance, Surface};
 use crate::system::{Outline, PlacedBody};
 
@@ -13,7 +14,7 @@ const HATCH_LENGTH: f64 = 7.0;
 /// A longer mirror is drawn without them, pixels.
 const LONGEST_HATCHED: f64 = 1e4;
 /// Length of the barbs at the ends of an ideal lens, pixels.
-const BARB: f64 = 10.0;
+pub(super) const BARB: f64 = 10.0;
 
 /// Mirrors, screens, absorbers, beam splitters and ideal lenses, each in its textbook sign.
 pub(super) fn surfaces(figure: &Figure<'_>) -> Vec<Item> {
@@ -33,6 +34,9 @@ fn marks(figure: &Figure<'_>, k: usize, surface: Surface, placed: &PlacedBody) -
             items.extend(hatching(figure, k, outline, stroke.color));
         }
         let line = outline::path(&figure.frame, &outline.curves, outline.closed);
+        items.extend(
+            filling(figure, k, outline, stroke.color).map(|fill| Shape::filled(line.clone(), fill, "opaque").into()),
+        );
         items.push(Shape::stroked(line, stroke.clone(), class(surface)).into());
         if let Surface::ThinLens { focal_length } = surface {
             let heads = heads(figure, outline, focal_length);
@@ -63,6 +67,17 @@ fn class(surface: Surface) -> &'static str {
         Surface::BeamSplitter { .. } => "surface beam-splitter",
         Surface::ThinLens { .. } => "surface thin-lens",
     }
+}
+
+/// Fill of a closed surface that light does not get into, so that it looks solid; none where its inside is lit.
+fn filling(figure: &Figure<'_>, k: usize, outline: &Outline, color: Color) -> Option<Fill> {
+    let lit = lit_sides(figure, k, &outline.curves);
+    // Shoelace: above 0 the inside is on the left.
+    let points: Vec<DVec2> = outline.curves.iter().flat_map(outline::samples).collect();
+    let middle = points.iter().copied().reduce(DVec2::min)?;
+    let area: f64 = points.windows(2).map(|pair| cross(pair[0] - middle, pair[1] - middle)).sum();
+    let inside_lit = lit[usize::from(area > 0.0)];
+    (outline.closed && !inside_lit).then_some(Fill { color, opacity: 0.16 })
 }
 
 /// Barbs at both ends of an ideal lens: outward tips converge light, inward ones diverge it.
@@ -108,6 +123,15 @@ fn hatching(figure: &Figure<'_>, k: usize, outline: &Outline, color: Color) -> O
 }
 
 fn dark_side_is_left(figure: &Figure<'_>, k: usize, curves: &[Curve]) -> Option<bool> {
+    match lit_sides(figure, k, curves) {
+        [true, false] => Some(true),
+        [false, true] => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether light comes from the right of the direction of travel, and from the left.
+fn lit_sides(figure: &Figure<'_>, k: usize, curves: &[Curve]) -> [bool; 2] {
     let mut lit = [false, false];
     for segment in figure.tree.rays.iter().flat_map(|ray| &ray.segments) {
         let (Some(hit), Some(at)) = (segment.hit.filter(|hit| hit.body == k), segment.to) else { continue };
@@ -115,11 +139,7 @@ fn dark_side_is_left(figure: &Figure<'_>, k: usize, curves: &[Curve]) -> Option<
         let from_left = nearest.is_some_and(|curve| curve.normal_at(at).dot(hit.normal) > 0.0);
         lit[usize::from(from_left)] = true;
     }
-    match lit {
-        [true, false] => Some(true),
-        [false, true] => Some(false),
-        _ => None,
-    }
+    lit
 }
 
 /// Distance of a point from a curve, its ends included.

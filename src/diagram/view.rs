@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::diagram::branches::{paths, share};
 use crate::diagram::frame::Extent;
-use crate::diagram::outline;
+use crate::diagram::{extensions, outline};
 use crate::drawing::Rect;
 use crate::numerics::cross;
 use crate::scene::{Scene, View};
@@ -25,10 +25,11 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, area
     }
     let aspect = area.size().x.max(1.0) / area.size().y.max(1.0);
     let drawn = drawn(tree, scene.diagram.faintest);
+    let unlit = extensions::points(scene, tree);
     let Some(things) = Extent::of(things(scene, system, &drawn)) else {
         return Extent { min: DVec2::splat(-1.0), max: DVec2::splat(1.0) };
     };
-    let focused = crossings(&drawn, &things, aspect).into_iter().fold(things, Extent::with);
+    let focused = crossings(&drawn, &things, aspect).into_iter().chain(unlit).fold(things, Extent::with);
     tails(&drawn, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN)
 }
 

@@ -52,6 +52,9 @@ pub struct Group {
     pub data: Vec<(&'static str, String)>,
     /// Nothing is drawn outside of this rectangle.
     pub clip: Option<Rect>,
+    /// If given, its items add up as lights do: they screen each other, apart from what lies behind, and the whole is laid
+    /// on that with this opacity.
+    pub light: Option<f64>,
     /// What is drawn, from back to front.
     pub items: Vec<Item>,
 }
@@ -82,6 +85,12 @@ impl Group {
     #[must_use]
     pub fn layer(class: &str, items: Vec<Item>) -> Self {
         Self { class: class.to_owned(), items, ..Self::default() }
+    }
+
+    /// The same, its items adding up as lights do, laid with an opacity on what lies behind.
+    #[must_use]
+    pub fn of_light(self, opacity: f64) -> Self {
+        Self { light: Some(opacity), ..self }
     }
 
     /// The same, drawn only inside of a rectangle.

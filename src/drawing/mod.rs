@@ -17,4 +17,4 @@ pub use item::{Drawing, Group, Item, Shape};
 pub use number::{pixel, shortest};
 pub use path::{Path, PathStep, Rect};
 pub use style::{Cap, Fill, Stroke};
-pub use text::{Anchor, Glyph, Script, Span, Text};
+pub use text::{Anchor, Glyph, Script, Span, Text, words};

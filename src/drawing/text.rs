@@ -29,7 +29,7 @@ pub struct Text {
 /// A stretch of text in one script.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Span {
-    /// Words without control characters; runs of white space are one space.
+    /// Words without control characters; runs of white space are one space, no-break spaces stay.
     pub text: String,
     /// Where it stands.
     pub script: Script,
@@ -156,10 +156,15 @@ impl Text {
     }
 }
 
+/// Words between spaces where a line may break: every white space but those that Unicode calls no-break.
+pub fn words(text: &str) -> impl Iterator<Item = &str> {
+    let breaks = |c: char| c.is_whitespace() && !matches!(c, '\u{a0}' | '\u{202f}' | '\u{2007}');
+    text.split(breaks).filter(|word| !word.is_empty())
+}
+
 /// Text on one line: runs of white space become one space, control characters go.
 fn one_line(text: &str) -> String {
-    let words: Vec<String> = text
-        .split_whitespace()
+    let words: Vec<String> = words(text)
         .map(|word| word.chars().filter(|c| !c.is_control()).collect::<String>())
         .filter(|word| !word.is_empty())
         .collect();
@@ -174,6 +179,8 @@ mod tests {
     fn control_characters_go() {
         let text = Text::new("a\u{0}b \t\n c\u{7}", DVec2::ZERO, 10.0, Color::hex(0));
         assert_eq!(text.spans[0].text, "ab c");
+        let text = Text::new("5\u{a0}mm \n long", DVec2::ZERO, 10.0, Color::hex(0));
+        assert_eq!(text.spans[0].text, "5\u{a0}mm long");
     }
 
     #[test]

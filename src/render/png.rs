@@ -4,9 +4,10 @@ use std::fmt;
 
 use glam::DVec2;
 use kurbo::{Arc, Point, SvgArc, Vec2};
-use tiny_skia::{FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, StrokeDash, Transform};
+use tiny_skia::Transform;
+use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, StrokeDash};
 
-use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Item, Path, PathStep, Rect, Shape, Stroke, Text};
+use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
 
 /// A picture of more pixels would need over half a gigabyte.
 const MAX_PIXELS: f64 = 1.5e8;
@@ -62,6 +63,8 @@ pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
 struct Canvas {
     pixels: Pixmap,
     transform: Transform,
+    /// How a shape is laid on what is there.
+    mode: BlendMode,
 }
 
 impl Canvas {
@@ -76,7 +79,7 @@ impl Canvas {
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1.5e8, just checked")]
         let pixels = Pixmap::new(width as u32, height as u32).ok_or(refused)?;
-        Ok(Self { pixels, transform: Transform::from_scale(scale, scale) })
+        Ok(Self { pixels, transform: Transform::from_scale(scale, scale), mode: BlendMode::SourceOver })
     }
 
     fn items(&mut self, items: &[Item], mask: Option<&Mask>) {
@@ -86,20 +89,45 @@ impl Canvas {
                 Item::Text(text) => self.text(text, mask),
                 Item::Group(group) => {
                     let clip = group.clip.and_then(|rect| self.clip(&rect, mask));
-                    self.items(&group.items, clip.as_ref().or(mask));
+                    let mask = clip.as_ref().or(mask);
+                    match group.light {
+                        Some(opacity) => self.light(group, opacity, mask),
+                        None => self.items(&group.items, mask),
+                    }
                 }
             }
         }
     }
 
+    /// Things that add up: they screen each other on an empty layer, which is laid on the picture.
+    fn light(&mut self, group: &Group, opacity: f64, mask: Option<&Mask>) {
+        let Some(([x, y], mut layer)) = self.layer(&group.items) else { return };
+        layer.items(&group.items, None);
+        let paint = PixmapPaint { opacity: single(DVec2::splat(opacity.clamp(0.0, 1.0))).0, ..PixmapPaint::default() };
+        self.pixels.draw_pixmap(x, y, layer.pixels.as_ref(), &paint, Transform::identity(), mask);
+    }
+
+    /// An empty canvas that just holds some items, and its place on this one; `None` where nothing is seen of them.
+    fn layer(&self, items: &[Item]) -> Option<([i32; 2], Self)> {
+        let scale = f64::from(self.transform.sx);
+        let whole = DVec2::new(f64::from(self.pixels.width()), f64::from(self.pixels.height()));
+        let bounds = items.iter().filter_map(bounds).reduce(union)?;
+        let min = (bounds.min * scale - 2.0).floor().clamp(DVec2::ZERO, whole);
+        let size = (bounds.max * scale + 2.0).ceil().clamp(DVec2::ZERO, whole) - min;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers within the picture")]
+        let (at, pixels) = ([min.x as i32, min.y as i32], Pixmap::new(size.x as u32, size.y as u32)?);
+        let (x, y) = single(-min);
+        Some((at, Self { pixels, transform: self.transform.post_translate(x, y), mode: BlendMode::Screen }))
+    }
+
     fn shape(&mut self, shape: &Shape, mask: Option<&Mask>) {
         let Some(path) = skia_path(&shape.path) else { return };
         if let Some(fill) = shape.fill {
-            let paint = paint(fill.color, fill.opacity);
+            let paint = self.paint(fill.color, fill.opacity);
             self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
         }
         if let Some(stroke) = &shape.stroke {
-            let paint = paint(stroke.color, stroke.opacity);
+            let paint = self.paint(stroke.color, stroke.opacity);
             self.pixels.stroke_path(&path, &paint, &skia_stroke(stroke), self.transform, mask);
         }
     }
@@ -110,7 +138,17 @@ impl Canvas {
             draw_glyph(&mut pen, &text.font.outline(glyph.character), &glyph);
         }
         let Some(path) = pen.finish() else { return };
-        self.pixels.fill_path(&path, &paint(text.color, 1.0), FillRule::Winding, self.transform, mask);
+        let paint = self.paint(text.color, 1.0);
+        self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+    }
+
+    fn paint(&self, color: Color, opacity: f64) -> Paint<'static> {
+        let Color([r, g, b]) = color;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to a byte's range")]
+        let alpha = (opacity.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let mut paint = Paint { anti_alias: true, blend_mode: self.mode, ..Paint::default() };
+        paint.set_color_rgba8(r, g, b, alpha);
+        paint
     }
 
     /// A mask for a rectangle within what is already masked.
@@ -201,13 +239,22 @@ fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
     }
 }
 
-fn paint(color: Color, opacity: f64) -> Paint<'static> {
-    let Color([r, g, b]) = color;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to a byte's range")]
-    let alpha = (opacity.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let mut paint = Paint { anti_alias: true, ..Paint::default() };
-    paint.set_color_rgba8(r, g, b, alpha);
-    paint
+/// The part of the figure that an item may touch, pixels; `None` for nothing.
+fn bounds(item: &Item) -> Option<Rect> {
+    match item {
+        Item::Shape(shape) => {
+            let bounds = skia_path(&shape.path)?.bounds();
+            let point = |x: f32, y: f32| DVec2::new(f64::from(x), f64::from(y));
+            let rect = Rect { min: point(bounds.left(), bounds.top()), max: point(bounds.right(), bounds.bottom()) };
+            Some(rect.grown(shape.stroke.as_ref().map_or(0.0, |stroke| stroke.width)))
+        }
+        Item::Text(text) => Some(text.bounds().grown(text.size)),
+        Item::Group(group) => group.items.iter().filter_map(bounds).reduce(union),
+    }
+}
+
+fn union(a: Rect, b: Rect) -> Rect {
+    Rect { min: a.min.min(b.min), max: a.max.max(b.max) }
 }
 
 /// A point in tiny-skia's precision.
@@ -236,6 +283,28 @@ mod tests {
             let text = Text::new(words, DVec2::new(10.0, 30.0), 20.0, Color::hex(0));
             assert!(darkest(&drawing(vec![text.into()]), 2.0) < 10, "{words}");
         }
+    }
+
+    #[test]
+    fn lights_add_up_and_leave_what_is_behind() {
+        let line = |y: f64, color: u32| {
+            let path = Path::line(DVec2::new(10.0, y), DVec2::new(50.0, y));
+            Item::from(Shape::stroked(path, Stroke::solid(Color::hex(color), 6.0), ""))
+        };
+        let lights = vec![line(18.0, 0xff_00_00), line(18.0, 0x00_ff_00), line(22.0, 0x00_00_ff)];
+        let pixel = |opacity: f64, y: u32| {
+            let group = Group::layer("", lights.clone()).of_light(opacity);
+            let mut drawing = drawing(vec![group.into()]);
+            drawing.background = Some(Color::hex(0x00_00_40));
+            let picture = Pixmap::decode_png(&png(&drawing, 1.0).unwrap()).unwrap();
+            let pixel = picture.pixel(30, y).unwrap();
+            [pixel.red(), pixel.green(), pixel.blue()]
+        };
+        assert_eq!(pixel(1.0, 16), [255, 255, 0], "not the ground's blue");
+        assert_eq!(pixel(1.0, 20), [255, 255, 255]);
+        assert_eq!(pixel(1.0, 5), [0, 0, 0x40]);
+        let half = pixel(0.5, 16);
+        assert!(half[0].abs_diff(128) < 2 && half[2].abs_diff(32) < 2, "{half:?}");
     }
 
     #[test]

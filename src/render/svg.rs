@@ -1,4 +1,5 @@
-//! SVG 1.1 with presentation attributes only, so that every viewer and editor shows the same figure.
+//! SVG 1.1 with presentation attributes only, so that every viewer and editor shows the same figure; but for lights that
+//! add up, which only CSS can say: a viewer that does not know `mix-blend-mode` paints them over each other.
 //!
 //! Text stays text. Subscripts move by `dy`, because `baseline-shift` is not known everywhere.
 
@@ -23,14 +24,15 @@ pub fn svg(drawing: &Drawing) -> String {
     if let Some(color) = drawing.background {
         line(&mut out, format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>", color.css()));
     }
-    drawing.items.iter().for_each(|item| write_item(&mut out, item));
+    drawing.items.iter().for_each(|item| write_item(&mut out, item, false));
     out.push_str("</svg>\n");
     out
 }
 
-fn write_item(out: &mut String, item: &Item) {
+/// `screened` items add up as lights do.
+fn write_item(out: &mut String, item: &Item, screened: bool) {
     match item {
-        Item::Shape(shape) => write_shape(out, shape),
+        Item::Shape(shape) => write_shape(out, shape, screened),
         Item::Text(text) => write_text(out, text),
         Item::Group(group) => write_group(out, group),
     }
@@ -39,15 +41,21 @@ fn write_item(out: &mut String, item: &Item) {
 fn write_group(out: &mut String, group: &Group) {
     out.push_str("<g");
     attributes(out, &group.class, &group.data);
+    if let Some(opacity) = group.light {
+        out.push_str(" style=\"isolation:isolate\"");
+        if opacity < 1.0 {
+            push(out, format_args!(" opacity=\"{}\"", pixel(opacity)));
+        }
+    }
     if let Some(clip) = &group.clip {
         push(out, format_args!(" clip-path=\"url(#{})\"", clip_id(clip)));
     }
     out.push_str(">\n");
-    group.items.iter().for_each(|item| write_item(out, item));
+    group.items.iter().for_each(|item| write_item(out, item, group.light.is_some()));
     out.push_str("</g>\n");
 }
 
-fn write_shape(out: &mut String, shape: &Shape) {
+fn write_shape(out: &mut String, shape: &Shape, screened: bool) {
     if shape.path.is_empty() {
         return;
     }
@@ -57,6 +65,9 @@ fn write_shape(out: &mut String, shape: &Shape) {
     write_fill(out, shape.fill);
     if let Some(stroke) = &shape.stroke {
         write_stroke(out, stroke);
+    }
+    if screened {
+        out.push_str(" style=\"mix-blend-mode:screen\"");
     }
     out.push_str("/>\n");
 }
