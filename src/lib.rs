@@ -1,8 +1,53 @@
-//! Ray diagrams from the vector law of refraction.
-
+//! Ray diagrams from the vector law of refraction, in two dimensions.
+//!
+//! A scene file in RON names bodies, media and light sources. snellius compiles it into boundaries with a medium on each
+//! side, follows every ray through every boundary (at each one a reflected and a transmitted ray set out) and draws the
+//! ray tree as SVG or PNG.
+//!
+//! ```
+//! use snellius::{Scene, compile, diagram, render, report, trace};
+//!
+//! let scene = Scene::from_ron(r#"(
+//!     title: "Total internal reflection",
+//!     bodies: [(name: "prism", shape: RightAnglePrism(40), medium: Catalog("N-BK7"))],
+//!     sources: [(light: Ray(from: (-30, 10), direction: Angle(0)))],
+//! )"#)?;
+//! let system = compile(&scene)?.system;
+//! let trace = trace(&system);
+//!
+//! let inside = &trace.tree.rays[0].segments[1];
+//! let hit = inside.hit.ok_or("the ray meets the hypotenuse")?;
+//! assert!(hit.total_internal_reflection && hit.theta_i_degrees() > 41.2);
+//! assert!(trace.summary.balance.residual().abs() < 1e-15);
+//!
+//! println!("{}", report::text(&system, &trace));
+//! let svg = render::svg(&diagram::draw(&scene, &system, &trace.tree));
+//! assert!(svg.starts_with("<svg"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The way of a scene
+//!
+//! [`Scene`] (what the file says) → [`compile()`] → [`OpticalSystem`] (boundaries and ray starts) → [`trace()`] →
+//! [`RayTree`] → [`report`] (text, JSON, CSV) and [`diagram`] → [`drawing`] → [`render`] (SVG, PNG). A module uses only
+//! modules that come before it. [`summarize`] keeps no tree, and a [`Visitor`] of one's own sees every segment as it comes.
+//!
+//! # Units and signs
+//!
+//! - Lengths are in one unit of the scene's author, taken as millimetres; x points right, y up.
+//! - Angles are degrees, counter-clockwise positive; angles of incidence and transmission count from the normal, 0 to 90.
+//! - Wavelengths are vacuum wavelengths in nanometres; refractive indices are absolute.
+//! - V is the unit direction of the incoming ray, N the unit normal against it (N·V < 0), C1 and S1 are cosine and sine of
+//!   the angle of incidence, C2 and S2 of the angle of transmission, η = n_t/n_i.
+//! - s polarization: electric field perpendicular to the drawing plane (TE). p: in the plane (TM).
+//! - Powers add; there is no interference.
+//!
+//! # What stays the same
+//!
+//! The same scene gives the same bits on every machine: the trace uses only +, −, ×, ÷, √ and fused multiply-add, and
+//! every other function comes from libm.
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "tests compare exact bits on purpose"))]
 
-pub mod analysis;
 pub mod compile;
 pub mod diagram;
 pub mod drawing;
@@ -20,5 +65,15 @@ pub mod trace;
 #[doc(hidden)]
 pub mod cli;
 
+/// The README's Rust examples, tested with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+pub use compile::{Compiled, compile};
 pub use scene::Scene;
 pub use system::OpticalSystem;
+pub use trace::{
+    Ending, Hit, PowerBalance, RayTree, Segment, SegmentId, Summary, Trace, TracedRay, Via, Visitor, summarize, trace,
+    visit,
+};

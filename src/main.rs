@@ -1,3 +1,7 @@
 //! The `snellius` command.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    snellius::cli::main()
+}

@@ -1,15 +1,20 @@
 //! What each scene teaches, as an assertion of its own: a golden file alone can pin wrong physics.
+#![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a lesson may fail, and may ask for equal bits")]
 
 mod support;
 
 #[path = "lessons/lenses.rs"]
 mod lenses;
+#[path = "lessons/measure.rs"]
+mod measure;
 #[path = "lessons/mirrors.rs"]
 mod mirrors;
 #[path = "lessons/nature.rs"]
 mod nature;
 #[path = "lessons/prisms.rs"]
 mod prisms;
+#[path = "lessons/rays.rs"]
+mod rays;
 #[path = "lessons/refraction.rs"]
 mod refraction;
 #[path = "lessons/total_reflection.rs"]

@@ -189,9 +189,10 @@ impl<'a> Arrangement<'a> {
         {
             let [from, to] = part.ends;
             let same = between.entry([from.min(to), from.max(to)]).or_default();
-            let tolerance = 4.0 * tolerance(self.boundaries[boundary].reach);
             let middle = part.curve.midpoint();
-            let twin = same.iter().copied().find(|&k| lies_on(&pieces[k].curve, middle, tolerance));
+            let runs_along =
+                |piece: &Piece| lies_on(&piece.curve, middle, self.pair_tolerance(boundary, piece.members[0].boundary));
+            let twin = same.iter().copied().find(|&k| runs_along(&pieces[k]));
             if let Some(k) = twin {
                 let forward = pieces[k].ends[0] == from;
                 pieces[k].members.push(Member { boundary, forward });

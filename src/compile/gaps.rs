@@ -24,7 +24,7 @@ pub(crate) fn gaps(boundaries: &[Boundary], outlines: &[OutlineRole]) -> Vec<Gap
     for (i, j) in near_pairs(boundaries, THINNEST) {
         let (first, second) = (&boundaries[i], &boundaries[j]);
         let (earlier, later) = (outlines[first.outline].body, outlines[second.outline].body);
-        let contact = 4.0 * tolerance(first.reach.max(second.reach));
+        let contact = tolerance(first.reach.max(second.reach));
         let Some(width) = (earlier != later).then(|| distance(&first.curve, &second.curve)).flatten() else { continue };
         if width <= contact || width >= THINNEST {
             continue;

@@ -19,7 +19,7 @@ use crate::compile::region::Region;
 use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, Curve, Placement};
 use crate::media::Dispersion;
-use crate::scene::{Body, Medium, Problem, Problems, Scene, Substance, Surface};
+use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
 use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody, rounding};
 
 /// A compiled scene and what is suspicious about it.
@@ -37,6 +37,10 @@ pub struct Compiled {
 ///
 /// Every problem of the scene at once, each with its place, what is wrong and what would be right.
 pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
+    let problems = scene.validate();
+    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+        return Err(unplaced(problems));
+    }
     let mut media = Media::default();
     let surroundings = media.id(&scene.surroundings).map_err(|problem| unplaced(vec![problem]))?;
     let mut layout = Layout::default();
@@ -84,11 +88,16 @@ fn bounds(scene: &Scene, bodies: &[PlacedBody]) -> Bounds {
 
 fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
     let name = |k: usize| display_name(&scene.bodies[k], k);
+    let is_surface = |k: usize| matches!(scene.bodies[k].substance, Substance::Surface(_));
+    let cure = if is_surface(gap.earlier) || is_surface(gap.later) {
+        "give the surface the same coordinates as what it lies on"
+    } else {
+        "let the later body overlap the earlier one, or give both the same coordinates there"
+    };
     Problem::warning(
         format!("bodies[{}]", gap.later),
         format!("a gap or sliver of {:.2e} between `{}` and `{}`", gap.width, name(gap.earlier), name(gap.later)),
-        "light cannot tell it from contact (420 nm at 1 unit = 1 mm), but the trace can: let the later body overlap the \
-         earlier one, or let their boundaries coincide",
+        format!("it is thinner than light (420 nm at 1 unit = 1 mm), and yet rays see it: {cure}"),
     )
 }
 
@@ -105,22 +114,12 @@ struct Media {
 
 impl Media {
     fn id(&mut self, medium: &Medium) -> Result<MediumId, Problem> {
-        let dispersion = dispersion(medium).ok_or_else(|| Problem::error("", "no such medium", ""))?;
+        let dispersion = medium.dispersion()?;
         let place = self.list.iter().position(|known| *known == dispersion).unwrap_or_else(|| {
             self.list.push(dispersion);
             self.list.len() - 1
         });
         Ok(MediumId(u32::try_from(place).unwrap_or(u32::MAX)))
-    }
-}
-
-fn dispersion(medium: &Medium) -> Option<Dispersion> {
-    match medium {
-        Medium::Index(n) => Dispersion::constant(*n).ok(),
-        Medium::Speed(v) => Dispersion::constant(crate::laws::index_from_speed(*v).ok()?).ok(),
-        Medium::Cauchy(coefficients) => Dispersion::cauchy(coefficients).ok(),
-        Medium::Sellmeier { b, c } => Dispersion::sellmeier(&[(b[0], c[0]), (b[1], c[1]), (b[2], c[2])]).ok(),
-        Medium::Catalog(name) => crate::media::catalog::find(name).map(|entry| entry.dispersion().clone()),
     }
 }
 

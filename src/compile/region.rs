@@ -39,7 +39,7 @@ fn crosses(curve: &Curve, p: DVec2) -> bool {
     let turn = side(a, b, p);
     let passes = (a.y > p.y) != (b.y > p.y) && (turn > 0.0) == (b.y > a.y);
     // A point on the chord is taken where the crossing rule takes it: to its right, or above a level one.
-    let left = turn > 0.0 || (turn == 0.0 && a.y == b.y && b.x > a.x);
+    let left = turn > 0.0 || (turn == 0.0 && b.y - a.y == 0.0 && b.x > a.x);
     let in_segment = !curve.is_straight() && left == (curvature < 0.0) && curve.offset(p) * curvature > 0.0;
     passes != in_segment
 }

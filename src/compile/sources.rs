@@ -95,10 +95,11 @@ impl Ground<'_> {
         last.map_or(self.surroundings, |region| region.medium)
     }
 
-    /// Distance within which a start is on a curve.
+    /// Distance within which a start is on a curve: a quarter of that within which two curves are one, since the start is
+    /// as exact as it is given and only the curve's placement rounds, by some 4 units in the last place.
     fn contact(&self, from: DVec2, curve: &Curve) -> f64 {
         let reach = |p: DVec2| p.abs().max((p + self.origin).abs()).max_element();
-        tolerance([from, curve.a, curve.b].map(reach).into_iter().fold(0.0, f64::max))
+        0.25 * tolerance([from, curve.a, curve.b].map(reach).into_iter().fold(0.0, f64::max))
     }
 
     fn on_wall(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {

@@ -1,1 +1,20 @@
-//! drawing
+//! The display list: what a figure is made of, in pixels with y down, and nothing about optics.
+//!
+//! Every coordinate that enters a [`Path`] or a [`Text`] is made finite and rounded to 1/100 px there, so that a renderer
+//! sees neither NaN nor −0 and the same figure gives the same bytes on every machine.
+
+mod color;
+mod font;
+mod item;
+mod number;
+mod path;
+mod style;
+mod text;
+
+pub use color::Color;
+pub use font::{Font, GlyphStep};
+pub use item::{Drawing, Group, Item, Shape};
+pub use number::{pixel, shortest};
+pub use path::{Path, PathStep, Rect};
+pub use style::{Cap, Fill, Stroke};
+pub use text::{Anchor, Glyph, Script, Span, Text, words};

@@ -1,5 +1,5 @@
-//! Critical angle: Hecht, "Optics", 5th ed., section 4.7, equation 4.69 (sin θ_c = n_t/n_i); Brewster's angle: section
-//! 8.6.1, equation 8.25 (tan θ_B = n_t/n_i). Both also in Born & Wolf, "Principles of Optics", 7th ed., section 1.5.
+//! Critical angle: Hecht, "Optics", 4th ed., section 4.7, equation 4.69 (sin θ_c = n_t/n_i); Brewster's angle: section
+//! 8.6.1, equation 8.25 (tan θ_B = n_t/n_i). Both also in Born & Wolf, "Principles of Optics", 7th ed., sections 1.5.3 and 1.5.4.
 
 use crate::numerics::atan2_degrees;
 

@@ -1,4 +1,4 @@
-//! Fresnel's equations: Hecht, "Optics", 5th ed., section 4.6.2, equations 4.34 and 4.40 for the amplitudes, section 4.6.3
+//! Fresnel's equations: Hecht, "Optics", 4th ed., section 4.6.2, equations 4.34 and 4.40 for the amplitudes, section 4.6.3
 //! for reflectance and transmittance; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.2.
 
 use crate::light::Power;

@@ -1,5 +1,5 @@
-//! The angle of incidence without angles: Glassner (ed.), "An Introduction to Ray Tracing", 1989, section 2; the sine as
-//! a cross product is the planar case of |N × V|.
+//! The angle of incidence without angles: cosine and sine as the dot and cross product of two unit vectors, as the vector
+//! derivation of Snell's law does with C1 = −N·V.
 
 use glam::DVec2;
 

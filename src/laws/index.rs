@@ -1,4 +1,4 @@
-//! Index of refraction: Hecht, "Optics", 5th ed., section 3.5, equation 3.59 (n = c/v); relative index section 4.4.1.
+//! Index of refraction: Hecht, "Optics", 4th ed., section 3.5, equation 3.59 (n = c/v); relative index section 4.4.1.
 
 use std::fmt;
 

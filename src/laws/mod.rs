@@ -9,12 +9,17 @@
 //!
 //! The vector form in textbooks is T = V/η + (C1/η − C2) N with η = n_t/n_i and C2 = √(1 + (C1² − 1)/η²). It is kept as
 //! [`refract_by_notes`]. The tracer uses [`refract`], the same law by components: with the unit tangent τ,
-//! V = S1 τ − C1 N becomes T = S2 τ − C2 N, where S2 = k/n_t, C2 = √((n_t − k)(n_t + k))/n_t and k = n_i S1.
-//! - Toward normal incidence 1 − C1² cancels: the transmitted sine loses all its digits once the angle is below 1e-8.
-//!   The cross product S1 keeps them.
-//! - Toward the critical angle 1 + (C1² − 1)/η² cancels after two roundings; (n_t − k)(n_t + k) subtracts before any
-//!   square is rounded.
-//! - k is what a stack of parallel boundaries conserves, so that a slab gives back the direction that entered it.
+//! V = S1 τ − C1 N becomes T = S2 τ − C2 N, where S2 = n_i S1/n_t and S1 is a cross product. Both give the direction of
+//! an ordinary ray to a few 1e-16. They differ at the ends of the range:
+//! - *Normal incidence.* The notes form knows the angle through cosines only, and 1 − C² cancels: below 1e-8 no digit of
+//!   S2 is left. The cross product keeps all of them (3e-16), and with it the printed angle.
+//! - *Critical angle.* 1 + (C1² − 1)/η² subtracts what was rounded before. Here (n_t C2)² is the product
+//!   (n_t − n_i S1)(n_t + n_i S1) or, past 45°, (n_t − n_i)(n_t + n_i) + (n_i C1)², which subtract first. Between indices
+//!   that differ by 1e-7, with angles of incidence within 1e-8 of critical, the notes form misjudges total reflection
+//!   for a fifth of the rays; the component form for none in 3000, with a hundredth of the error in the direction.
+//!   Between indices that differ by 1e-5, as in layers of warm air, the errors are 2e-12 and 5e-16.
+//! - *Length.* T is made of two perpendicular unit vectors, so its length is 1 but for rounding at any angle; the notes
+//!   form reaches 1e-15.
 
 mod critical;
 mod fresnel;

@@ -1,5 +1,5 @@
-//! Law of reflection: Hecht, "Optics", 5th ed., section 4.3.1; vector form R = V + 2 C1 N, Glassner (ed.),
-//! "An Introduction to Ray Tracing", 1989, section 2.
+//! Law of reflection: Hecht, "Optics", 4th ed., section 4.3.1; vector form R = V + 2 C1 N, Glassner, "Surface
+//! Physics for Ray Tracing", in "An Introduction to Ray Tracing", 1989, chapter 4.
 
 use glam::DVec2;
 

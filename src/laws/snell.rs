@@ -1,4 +1,4 @@
-//! Snell's law, n_i sin θ_i = n_t sin θ_t: Hecht, "Optics", 5th ed., section 4.4.1, equation 4.4; Born & Wolf, "Principles
+//! Snell's law, n_i sin θ_i = n_t sin θ_t: Hecht, "Optics", 4th ed., section 4.4.1, equation 4.4; Born & Wolf, "Principles
 //! of Optics", 7th ed., section 1.5.1. Vector form T = V/η + (C1/η − C2) N as lecture notes derive it from V, N and
 //! S2 η = S1. Module [`laws`](super) says why the kernel uses components instead.
 
@@ -29,6 +29,8 @@ pub enum Refraction {
         cos_i: f64,
         /// Sine S1 of the angle of incidence, signed as above.
         sin_i: f64,
+        /// Whether the discriminant is exactly 0: T would run along the boundary, at 90° from the normal.
+        critical: bool,
     },
 }
 
@@ -63,8 +65,8 @@ impl Refraction {
 /// into `n_t`, both at least 1.
 ///
 /// Equal indices return `v` itself, bit for bit, at every angle. At grazing incidence (C1 = 0) into a denser medium the
-/// ray is refracted at the critical angle of the way back. Into a thinner medium the verdict is
-/// (n_t − |k|)(n_t + |k|) ≤ 0 with k = n_i S1.
+/// ray is refracted at the critical angle of the way back. (n_t C2)² ≤ 0 is total internal reflection, and only a thinner
+/// medium can give it.
 #[must_use]
 pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     let Incidence { cos: cos_i, sin: sin_i, tangent } = Incidence::new(v, n);
@@ -73,14 +75,25 @@ pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     if n_i == n_t {
         return Refraction::Refracted { direction: v, cos_i, sin_i, cos_t: cos_i, sin_t: sin_i };
     }
-    // The tangential component of n V, the same on both sides.
-    let k = n_i * sin_i;
-    let discriminant = (n_t - k.abs()) * (n_t + k.abs());
-    if discriminant <= 0.0 {
-        return Refraction::TotalInternalReflection { cos_i, sin_i };
+    let transmitted_normal_squared = discriminant(n_i, n_t, cos_i, sin_i);
+    // Total internal reflection: nothing is transmitted.
+    if transmitted_normal_squared <= 0.0 {
+        return Refraction::TotalInternalReflection { cos_i, sin_i, critical: transmitted_normal_squared == 0.0 };
     }
-    let (cos_t, sin_t) = (discriminant.sqrt() / n_t, k / n_t);
+    // The component of n V along the boundary is the same on both sides.
+    let (cos_t, sin_t) = (transmitted_normal_squared.sqrt() / n_t, n_i * sin_i / n_t);
     Refraction::Refracted { direction: renormalized(sin_t * tangent - cos_t * n), cos_i, sin_i, cos_t, sin_t }
+}
+
+/// (n_t C2)² = n_t² − (n_i S1)², from the smaller of C1 and S1, which rounding hurts least.
+fn discriminant(n_i: f64, n_t: f64, cos_i: f64, sin_i: f64) -> f64 {
+    if sin_i.abs() <= cos_i {
+        let k = n_i * sin_i;
+        (n_t - k) * (n_t + k)
+    } else {
+        let a = n_i * cos_i;
+        (n_t - n_i) * (n_t + n_i) + a * a
+    }
 }
 
 /// The transmitted direction as lecture notes write it, T = V/η + (C1/η − C2) N with C2 = √(1 + (C1² − 1)/η²), η = n_t/n_i;
@@ -123,11 +136,26 @@ mod tests {
 
     #[test]
     fn at_the_critical_angle_nothing_is_transmitted() {
-        // sin θ_i = 3/4 against n_t/n_i = 1.5/2: the discriminant is exactly 0.
-        let (sin, cos) = (0.75, 0.4375_f64.sqrt());
-        let at = refract(DVec2::new(cos, sin), N, 2.0, 1.5);
-        assert_eq!(at, Refraction::TotalInternalReflection { cos_i: cos, sin_i: sin });
-        assert!(refract(DVec2::new(0.67, 0.742_361_098_118_698_7), N, 2.0, 1.5).direction().is_some());
+        // The discriminant is exactly 0: sin θ_i = 4/5 and n_i = 5/4; sin θ_i = 1/n_i.
+        let steep = |n_i: f64| ((1.0 - 1.0 / (n_i * n_i)).sqrt(), 1.0 / n_i, n_i);
+        for (cos_i, sin_i, n_i) in [(0.6, 0.8, 1.25), steep(2.0), steep(2.5), steep(4.0), steep(8.0), steep(16.0)] {
+            let at = refract(DVec2::new(cos_i, sin_i), N, n_i, 1.0);
+            assert_eq!(at, Refraction::TotalInternalReflection { cos_i, sin_i, critical: true });
+            let (sin, cos) = (sin_i - 1e-15, cos_i + 1e-15 * sin_i / cos_i);
+            assert!(refract(DVec2::new(cos, sin), N, n_i, 1.0).direction().is_some());
+        }
+    }
+
+    #[test]
+    fn nearly_equal_indices_near_the_critical_angle() {
+        // cos θ_c = 4.47e-4; a change by 1e-10 of it does not reach the last digit of the sine.
+        let (n_i, n_t): (f64, f64) = (1.0 + 1e-7, 1.0);
+        let critical = ((n_i - n_t) * (n_i + n_t)).sqrt() / n_i;
+        for (share, transmitted) in [(1.0 + 1e-10, true), (1.0 - 1e-10, false)] {
+            let cos = critical * share;
+            let v = DVec2::new(cos, ((1.0 - cos) * (1.0 + cos)).sqrt());
+            assert_eq!(refract(v, N, n_i, n_t).direction().is_some(), transmitted, "{share}");
+        }
     }
 
     #[test]
@@ -138,9 +166,10 @@ mod tests {
     }
 
     #[test]
-    fn a_tiny_angle_keeps_its_digits_where_the_notes_form_has_none() {
-        let v = DVec2::new(1.0, 3e-9);
-        let ours = refract(v, N, 1.0, 1.5).direction().unwrap();
-        assert!((ours.y / 2e-9 - 1.0).abs() < 4e-16);
+    fn the_sine_of_a_tiny_angle_keeps_its_digits() {
+        let Refraction::Refracted { sin_t, .. } = refract(DVec2::new(1.0, 3e-9), N, 1.0, 1.5) else {
+            panic!("a ray into the denser medium is always transmitted")
+        };
+        assert!((sin_t / 2e-9 - 1.0).abs() < 4e-16);
     }
 }

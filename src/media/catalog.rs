@@ -168,6 +168,12 @@ mod tests {
     }
 
     #[test]
+    fn a_formula_written_out_is_the_same_medium() {
+        let terms = [(1.03961212, 0.00600069867), (0.231792344, 0.0200179144), (1.01046945, 103.560653)];
+        assert_eq!(find("N-BK7").unwrap().dispersion(), &Dispersion::sellmeier(&terms).unwrap());
+    }
+
+    #[test]
     fn names_are_exact_and_near_ones_are_suggested() {
         assert!(find("n-bk7").is_none());
         for (wrong, right) in [

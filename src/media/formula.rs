@@ -1,4 +1,4 @@
-//! Dispersion formulas, λ in micrometres throughout: Hecht, "Optics", 5th ed., section 3.5.1; Born & Wolf, "Principles of
+//! Dispersion formulas, λ in micrometres throughout: Hecht, "Optics", 4th ed., section 3.5.1; Born & Wolf, "Principles of
 //! Optics", 7th ed., section 2.3.4; forms and coefficients as the refractiveindex.info database numbers them.
 
 use serde::Deserialize;

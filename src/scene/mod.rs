@@ -18,12 +18,15 @@ use glam::DVec2;
 
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
-pub use limits::MAX_TEXT_BYTES;
+pub use limits::{
+    MAX_BODIES, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_PIXELS, MAX_POINTS, MAX_RAYS, MAX_SEGMENTS, MAX_SIDES,
+    MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
+};
 pub use listing::render_problems;
 pub use medium::Medium;
 pub use places::Places;
 pub use problem::{Problem, Problems, Severity};
-pub use read::{Loaded, load};
+pub use read::{Loaded, load, text_of};
 pub use source::{Direction, Light, Polarization, Source, Spectrum};
 pub use tracing::{SecondaryRays, TraceSettings};
 

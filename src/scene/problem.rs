@@ -24,7 +24,7 @@ pub struct Problem {
     /// What is wrong, in one sentence without a final period.
     pub message: String,
     /// A few words for the underlined text; may be empty.
-    pub label: String,
+    pub label: Box<str>,
     /// What would be right.
     pub help: String,
 }
@@ -38,7 +38,7 @@ impl Problem {
             path: path.into(),
             span: None,
             message: message.into(),
-            label: String::new(),
+            label: Box::default(),
             help: help.into(),
         }
     }
@@ -51,7 +51,7 @@ impl Problem {
 
     /// The same problem with words for the underlined text.
     #[must_use]
-    pub fn label(self, label: impl Into<String>) -> Self {
+    pub fn label(self, label: impl Into<Box<str>>) -> Self {
         Self { label: label.into(), ..self }
     }
 

@@ -51,20 +51,20 @@ impl Arrival<'_> {
     /// A boundary that refracts: `share` gives the reflected and the transmitted fraction, for the refracted light or
     /// past the critical angle.
     fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
-        let refraction = refract(self.direction, self.normal, self.n_i, self.n_t);
-        let (cos_i, sin_i) = (refraction.cos_i(), refraction.sin_i());
-        let mut hit = Hit { cos_i, sin_i, n_t: Some(self.n_t), ..self.bare_hit() };
+        let mut hit = Hit { n_t: Some(self.n_t), ..self.bare_hit() };
         let reflected = reflect(self.direction, self.normal);
-        let Refraction::Refracted { direction, cos_t, sin_t, .. } = refraction else {
+        let (direction, cos_t, sin_t) = match refract(self.direction, self.normal, self.n_i, self.n_t) {
+            Refraction::Refracted { direction, cos_t, sin_t, .. } => (direction, cos_t, sin_t),
             // Total internal reflection: nothing is transmitted. At the critical angle itself T runs along the boundary.
-            let critical = self.n_i * sin_i.abs() <= self.n_t;
-            (hit.cos_t, hit.sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
-            share(None).put(&mut hit);
-            hit.total_internal_reflection = true;
-            return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
+            Refraction::TotalInternalReflection { sin_i, critical, .. } => {
+                (hit.cos_t, hit.sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
+                hit.total_internal_reflection = true;
+                share(None).put(&mut hit);
+                return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
+            }
         };
         (hit.cos_t, hit.sin_t) = (Some(cos_t), Some(sin_t));
-        let refracted = Refracted { n_i: self.n_i, n_t: self.n_t, cos_i, sin_i, cos_t, sin_t };
+        let refracted = Refracted { n_i: self.n_i, n_t: self.n_t, cos_i: hit.cos_i, sin_i: hit.sin_i, cos_t, sin_t };
         share(Some(&refracted)).put(&mut hit);
         Outcome {
             hit,
@@ -85,7 +85,7 @@ impl Arrival<'_> {
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
-        let Incidence { tangent, .. } = Incidence::new(self.direction, self.normal);
+        let tangent = Incidence::new(self.direction, self.normal).tangent;
         let height = (self.at - center).dot(tangent);
         let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
         let hit = Hit {

@@ -69,7 +69,7 @@ impl Probe<'_> {
     fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
-            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.from_end(candidate, vertex), None],
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.off_vertex(candidate, vertex), None],
             _ if candidate.curve.is_straight() => [self.edge(candidate), None],
             _ => self.arc(candidate),
         }
@@ -78,19 +78,20 @@ impl Probe<'_> {
     /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on, and an
     /// arc's end where it stands, follow from the side it heads to.
     fn is_left(&self, vertex: VertexId, p: DVec2) -> bool {
-        if let Some((last, heads_left)) = self.last {
-            let forced = last.curve.is_straight() || p.distance(self.ray.from) <= self.near;
-            if forced && vertex == last.ends[0] {
-                return heads_left;
-            }
-            if forced && vertex == last.ends[1] {
-                return !heads_left;
-            }
+        if let Some((last, heads_left)) = self.last
+            && let Some(end) = last.ends.iter().position(|end| *end == vertex)
+            && (last.curve.is_straight() || p.distance(self.ray.from) <= self.near)
+        {
+            return heads_left == (end == 0);
         }
-        let turn = cross(self.ray.direction, p - self.ray.from);
+        let to_vertex = p - self.ray.from;
+        let turn = self.ray.direction.perp_dot(to_vertex);
+        if turn.abs() > self.near {
+            return turn > 0.0;
+        }
         // A free start is as exact as it is given.
-        let is_clear = turn.abs() > self.near || (turn != 0.0 && self.ray.start == Start::Free);
-        if is_clear { turn > 0.0 } else { self.leaves_on_the_left(p) }
+        let exact = if self.ray.start == Start::Free { cross(self.ray.direction, to_vertex) } else { 0.0 };
+        if exact == 0.0 { self.leaves_on_the_left(p) } else { exact > 0.0 }
     }
 
     /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
@@ -172,7 +173,7 @@ impl Probe<'_> {
     }
 
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
-    fn from_end(&self, candidate: &Interface, vertex: VertexId) -> Met {
+    fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Met {
         let Interface { curve, ends, .. } = candidate;
         let at_start = ends[0] == vertex;
         let (at, other, far) = if at_start { (curve.a, ends[1], curve.b) } else { (curve.b, ends[0], curve.a) };

@@ -134,3 +134,15 @@ fn both_halves_of_a_half_disk_meet_at_their_seams_without_a_leak() {
         }
     }
 }
+
+#[test]
+fn a_silvered_ball_returns_the_ray_through_the_seam_of_its_silver() {
+    let [top, right, bottom] = [(0.0, 20.0), (20.0, 0.0), (0.0, -20.0)].map(DVec2::from);
+    for (from, to) in [(top, bottom), (bottom, top)] {
+        let silver = Shape::Arc { from, through: right, to };
+        let bodies = vec![glass(Shape::Disk { radius: 20.0 }), body(silver, Substance::Surface(Surface::Mirror))];
+        let trace = traced(bodies, ray((-70.0, 0.0), 0.0));
+        assert_eq!(paths(&trace)[..4], ["0.0:", "0.0:t", "0.0:tr", "0.0:trt"]);
+        assert_eq!(trace.tree.rays[0].segments[3].direction, DVec2::NEG_X);
+    }
+}

@@ -1,5 +1,5 @@
 //! What several tests need: scene files found, loaded and traced.
-#![allow(dead_code, reason = "each test uses a part")]
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used, reason = "each test uses a part, and a test may fail")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 
 use super::node::{Entry, Node};
-use super::reader::Reader;
+use super::reader::{Read, Reader};
 
 /// The known named fields of one value of the file.
 pub(super) struct Fields<'a> {
@@ -30,28 +30,19 @@ impl<'a> Fields<'a> {
         &self.node
     }
 
-    /// A field that must be there; `None` if it is not or was refused.
-    pub(super) fn required<T>(
-        &self,
-        r: &mut Reader,
-        name: &str,
-        read: impl FnOnce(&mut Reader, &Node<'a>) -> Option<T>,
-    ) -> Option<T> {
-        let Some(value) = self.values.get(name) else {
-            let message = format!("{} needs the field `{name}`", self.what);
-            r.refuse(&self.node, message, &format!("`{name}` is missing"), format!("write `{}`", self.example));
-            return None;
-        };
-        read(r, value)
+    /// A field that must be there.
+    pub(super) fn required<T: Read>(&self, r: &mut Reader, name: &str) -> T {
+        if let Some(value) = self.values.get(name) {
+            return r.read(value);
+        }
+        let message = format!("{} needs the field `{name}`", self.what);
+        let help = format!("write it like `{}`", self.example);
+        r.note(&self.node.field_path(name), self.node.span(), message, &format!("`{name}` is missing"), help);
+        r.stand_in(&self.node.field_path(name))
     }
 
-    /// A field that may be left out; `None` also if it was refused. `None` and `Some(…)` may be written.
-    pub(super) fn optional<T>(
-        &self,
-        r: &mut Reader,
-        name: &str,
-        read: impl FnOnce(&mut Reader, &Node<'a>) -> Option<T>,
-    ) -> Option<T> {
+    /// A field that may be left out; `None` and `Some(…)` may be written for it.
+    pub(super) fn optional<T: Read>(&self, r: &mut Reader, name: &str) -> Option<T> {
         let value = self.values.get(name)?;
         if let Some(("None", None)) = value.word() {
             return None;
@@ -59,18 +50,12 @@ impl<'a> Fields<'a> {
         let inner = inside_some(value);
         let value = inner.as_ref().unwrap_or(value);
         r.places.insert(&value.path, value.span());
-        read(r, value)
+        Some(r.read(value))
     }
 
-    /// A field that has a default, which also stands in for a refused value while reading goes on.
-    pub(super) fn or<T>(
-        &self,
-        r: &mut Reader,
-        name: &str,
-        default: T,
-        read: impl FnOnce(&mut Reader, &Node<'a>) -> Option<T>,
-    ) -> T {
-        self.optional(r, name, read).unwrap_or(default)
+    /// A field that has a default.
+    pub(super) fn or<T: Read>(&self, r: &mut Reader, name: &str, default: T) -> T {
+        self.optional(r, name).unwrap_or(default)
     }
 }
 

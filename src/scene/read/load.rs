@@ -1,8 +1,6 @@
-use super::node::{Node, check_syntax};
+use super::node::{Node, check_syntax, enables_extensions};
 use super::reader::Reader;
-use super::scene::scene;
 use super::syntax::syntax_problem;
-use crate::scene::check::check_scene;
 use crate::scene::{MAX_TEXT_BYTES, Places, Problem, Problems, Scene, Severity};
 
 /// A scene that was read from text, free of errors.
@@ -30,20 +28,38 @@ pub fn load(text: &str) -> Result<Loaded, Vec<Problem>> {
         return Err(vec![too_long(body.len())]);
     }
     check_syntax(body).map_err(|error| vec![syntax_problem(body, offset, &error)])?;
+    if enables_extensions(body) {
+        return Err(vec![extension(offset)]);
+    }
     let mut reader = Reader::default();
-    let read = scene(&mut reader, &Node::root(body, offset));
-    let Reader { mut problems, places } = reader;
-    if let Some((scene, numbering)) = &read {
-        problems.extend(check_scene(scene, numbering));
-    }
-    problems.iter_mut().for_each(|problem| locate(problem, &places, text));
+    let root = Node::root(body, offset);
+    reader.places.insert("", root.span());
+    let scene: Scene = reader.read(&root);
+    // What a stand-in gets wrong says nothing about the file.
+    let faults = scene.validate().into_iter().filter(|problem| !reader.is_stand_in(&problem.path));
+    let mut problems: Vec<Problem> = faults.collect();
+    problems.append(&mut reader.problems);
+    problems.iter_mut().for_each(|problem| locate(problem, &reader.places, text));
     problems.sort_by_key(|problem| problem.span.as_ref().map(|span| span.start));
-    match read {
-        Some((scene, _)) if problems.iter().all(|problem| problem.severity == Severity::Warning) => {
-            Ok(Loaded { scene, places, warnings: problems })
-        }
-        _ => Err(problems),
+    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+        return Err(problems);
     }
+    Ok(Loaded { scene, places: reader.places, warnings: problems })
+}
+
+/// The text of a scene file's bytes, for [`load`].
+///
+/// # Errors
+/// The bytes are not UTF-8; the problem shows the place of the first fault under the file's name.
+pub fn text_of<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, Problems> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let help = "save the file as UTF-8, which every editor offers";
+        let problem = Problem::error("", "the file is not text in UTF-8", help).label("not a character");
+        let start = error.valid_up_to();
+        let shown = bytes.get(..bytes.len().min(start + 300)).unwrap_or(bytes);
+        let text = String::from_utf8_lossy(shown).into_owned();
+        Problems::new(vec![problem.at(start..start + char::REPLACEMENT_CHARACTER.len_utf8())], text, file)
+    })
 }
 
 impl Scene {
@@ -56,6 +72,12 @@ impl Scene {
     }
 }
 
+fn extension(offset: usize) -> Problem {
+    let message = "the first line turns on an extension that scenes do not use";
+    Problem::error("", message, "leave the line out; only `implicit_some` is on, and it always is")
+        .at(offset..offset + 1)
+}
+
 fn too_long(bytes: usize) -> Problem {
     let message = format!("the text is {bytes} bytes long; at most {MAX_TEXT_BYTES} are read");
     Problem::error("", message, "split the scene, or give curved outlines as arcs instead of many points").at(0..0)
@@ -63,15 +85,18 @@ fn too_long(bytes: usize) -> Problem {
 
 /// Points of long lists are not recorded one by one; here the one at fault is looked up.
 fn locate(problem: &mut Problem, places: &Places, text: &str) {
-    if problem.span.is_none() && places.exact(&problem.path).is_none() {
-        problem.span = element(&problem.path, places, text);
+    if problem.span.is_none() {
+        problem.span = node_at(&problem.path, places, text).map(|node| node.span());
     }
     places.locate(problem);
 }
 
-fn element(path: &str, places: &Places, text: &str) -> Option<std::ops::Range<usize>> {
+fn node_at<'a>(path: &str, places: &Places, text: &'a str) -> Option<Node<'a>> {
+    if let Some(span) = places.exact(path) {
+        return Node::at(text, span, path);
+    }
     let (list, index) = path.strip_suffix(']')?.rsplit_once('[')?;
-    let index: usize = index.parse().ok()?;
-    let list = Node::at(text, places.exact(list)?, list)?;
-    list.list()?.get(index).map(Node::span)
+    let list = node_at(list, places, text)?;
+    let mut elements = list.list().or_else(|| list.group())?.into_iter();
+    elements.nth(index.parse().ok()?)
 }

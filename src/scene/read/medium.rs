@@ -1,5 +1,6 @@
 use super::node::Node;
-use super::reader::{Form, Reader};
+use super::reader::{Read, Reader};
+use super::variant::Form;
 use crate::scene::Medium;
 
 const MEDIA: [Form; 5] = [
@@ -10,29 +11,40 @@ const MEDIA: [Form; 5] = [
     ("Catalog", "Catalog(\"N-BK7\")"),
 ];
 
-/// A medium in one of its forms.
-pub(super) fn medium(r: &mut Reader, node: &Node<'_>) -> Option<Medium> {
-    let variant = r.variant(node, "a medium", &MEDIA)?;
-    Some(match variant.name {
-        "Index" => Medium::Index(variant.value(r, "n").and_then(|n| r.number(&n))?),
-        "Speed" => Medium::Speed(variant.value(r, "v").and_then(|v| r.number(&v))?),
-        "Cauchy" => Medium::Cauchy(variant.value(r, "coefficients").and_then(|list| r.numbers(&list))?),
-        "Sellmeier" => {
-            let fields = variant.fields(r, &["b", "c"])?;
-            let (b, c) = (fields.required(r, "b", three), fields.required(r, "c", three));
-            Medium::Sellmeier { b: b?, c: c? }
-        }
-        _ => Medium::Catalog(variant.value(r, "name").and_then(|name| r.text(&name))?),
-    })
+impl Read for Medium {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let variant = r.variant(node, "a medium", &MEDIA)?;
+        Some(match variant.name {
+            "Index" => Self::Index(variant.value(r, "n")?),
+            "Speed" => Self::Speed(variant.value(r, "v")?),
+            "Cauchy" => Self::Cauchy(variant.value(r, "coefficients")?),
+            "Sellmeier" => {
+                let f = variant.fields(r, &["b", "c"])?;
+                Self::Sellmeier { b: f.required(r, "b"), c: f.required(r, "c") }
+            }
+            _ => Self::Catalog(variant.value(r, "name")?),
+        })
+    }
+
+    fn stand_in() -> Self {
+        Self::Index(1.0)
+    }
 }
 
-fn three(r: &mut Reader, node: &Node<'_>) -> Option<[f64; 3]> {
-    let numbers = r.numbers(node)?;
-    let found = numbers.len();
-    let three = <[f64; 3]>::try_from(numbers).ok();
-    if three.is_none() {
-        let message = format!("Sellmeier's formula takes 3 coefficients, here are {found}");
-        r.refuse(node, message, "not three", "write three numbers; 0 where a term is not needed");
+/// The coefficients of Sellmeier's formula.
+impl Read for [f64; 3] {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let numbers: Vec<f64> = r.each(node, "numbers")?;
+        let found = numbers.len();
+        let three = Self::try_from(numbers).ok();
+        if three.is_none() {
+            let message = format!("Sellmeier's formula takes 3 coefficients, not {found}");
+            r.refuse(node, message, "not three", "write three numbers; 0 where a term is not needed");
+        }
+        three
     }
-    three
+
+    fn stand_in() -> Self {
+        [f64::NAN; 3]
+    }
 }

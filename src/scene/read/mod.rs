@@ -2,16 +2,22 @@
 //! problem noted instead of the first, each with its place.
 
 mod body;
+mod brackets;
 mod fields;
 mod load;
 mod medium;
 mod node;
+mod plain;
 mod reader;
 mod scene;
+mod settings;
 mod shape;
 mod source;
+#[cfg(test)]
+mod stress;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod variant;
 
-pub use load::{Loaded, load};
+pub use load::{Loaded, load, text_of};

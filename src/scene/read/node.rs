@@ -53,7 +53,7 @@ impl Kind {
             Self::Group => "values in parentheses",
             Self::Fields => "named fields in parentheses",
             Self::Name => "a word",
-            Self::Other => "something else",
+            Self::Other => "braces or single quotes",
         }
     }
 }
@@ -128,7 +128,7 @@ impl<'a> Node<'a> {
         let entry = |(name, raw): (&'a str, &'a RawValue)| Entry {
             name,
             name_span: self.span_of(name),
-            value: self.part(raw.trim().get_ron(), self.field_path(name)),
+            value: self.part(trimmed(raw), self.field_path(name)),
         };
         Some(entries.into_iter().map(entry).collect())
     }
@@ -144,7 +144,7 @@ impl<'a> Node<'a> {
     }
 
     fn elements(&self, raw: Vec<&'a RawValue>) -> Option<Vec<Self>> {
-        let element = |(k, raw): (usize, &&'a RawValue)| self.part(raw.trim().get_ron(), format!("{}[{k}]", self.path));
+        let element = |(k, raw): (usize, &&'a RawValue)| self.part(trimmed(raw), format!("{}[{k}]", self.path));
         Some(raw.iter().enumerate().map(element).collect())
     }
 
@@ -154,9 +154,20 @@ impl<'a> Node<'a> {
     }
 }
 
+/// Whether the text turns on a part of ron other than leaving out `Some`, which would change what values mean.
+pub(super) fn enables_extensions(text: &str) -> bool {
+    reader(text).is_some_and(|de| de.extensions() != ron::extensions::Extensions::IMPLICIT_SOME)
+}
+
 /// Checks the whole text as ron.
 pub(super) fn check_syntax(text: &str) -> Result<(), ron::error::SpannedError> {
     options().from_str::<IgnoredAny>(text).map(|_| ())
+}
+
+/// The text of a value without blanks and comments around it. Finding its end takes a parse, which only a comment makes needed.
+fn trimmed(raw: &RawValue) -> &str {
+    let text = skip_blank(raw.get_ron());
+    if text.ends_with(char::is_whitespace) || text.ends_with("*/") { raw.trim().get_ron() } else { text }
 }
 
 fn options() -> ron::Options {

@@ -1,7 +1,11 @@
-use super::body::color;
+use glam::DVec2;
+
+use super::fields::Fields;
 use super::node::Node;
-use super::reader::{Form, Reader, Variant};
-use crate::scene::{Direction, Light, Polarization, Source, Spectrum};
+use super::plain::UpTo;
+use super::reader::{Read, Reader};
+use super::variant::Form;
+use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Polarization, Source, Spectrum};
 
 const FIELDS: [&str; 6] = ["name", "light", "color", "spectrum", "power", "polarization"];
 
@@ -16,82 +20,109 @@ const SPECTRA: [Form; 3] =
     [("Line", "Line(587.5618)"), ("Lines", "Lines([486.1327, 587.5618, 656.2725])"), ("White", "White(samples: 24)")];
 const POLARIZATIONS: [Form; 3] = [("Unpolarized", "Unpolarized"), ("S", "S"), ("P", "P")];
 
-/// One entry of `sources`.
-pub(super) fn source(r: &mut Reader, node: &Node<'_>) -> Option<Source> {
-    let f = r.fields(node, "a source", &FIELDS, "(light: Ray(from: (-30, 10), direction: Angle(0)))")?;
-    let name = f.optional(r, "name", Reader::text);
-    let color = f.optional(r, "color", color);
-    let light = f.required(r, "light", light);
-    let spectrum = f.or(r, "spectrum", Spectrum::default(), spectrum);
-    let power = f.or(r, "power", 1.0, Reader::number);
-    let polarization = f.or(r, "polarization", Polarization::default(), polarization);
-    Some(Source { name, color, light: light?, spectrum, power, polarization })
-}
+impl Read for Source {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let f = r.fields(node, "a source", &FIELDS, "(light: Ray(from: (-30, 10), direction: Angle(0)))")?;
+        Some(Self {
+            name: f.optional(r, "name"),
+            color: f.optional(r, "color"),
+            light: f.required(r, "light"),
+            spectrum: f.or(r, "spectrum", Spectrum::default()),
+            power: f.or(r, "power", 1.0),
+            polarization: f.or(r, "polarization", Polarization::default()),
+        })
+    }
 
-fn light(r: &mut Reader, node: &Node<'_>) -> Option<Light> {
-    let variant = r.variant(node, "a light", &LIGHTS)?;
-    match variant.name {
-        "Ray" => {
-            let f = variant.fields(r, &["from", "direction"])?;
-            let (from, direction) = (f.required(r, "from", Reader::point), f.required(r, "direction", direction));
-            Some(Light::Ray { from: from?, direction: direction? })
-        }
-        "Beam" => beam(r, &variant),
-        "Fan" => fan(r, &variant),
-        _ => {
-            let f = variant.fields(r, &["at", "rays"])?;
-            let (at, rays) = (f.required(r, "at", Reader::point), f.required(r, "rays", Reader::count32));
-            Some(Light::Point { at: at?, rays: rays? })
+    fn stand_in() -> Self {
+        Self {
+            name: None,
+            color: None,
+            light: Light::stand_in(),
+            spectrum: Spectrum::default(),
+            power: 1.0,
+            polarization: Polarization::default(),
         }
     }
 }
 
-fn beam(r: &mut Reader, variant: &Variant<'_>) -> Option<Light> {
-    let f = variant.fields(r, &["center", "direction", "width", "rays"])?;
-    let center = f.required(r, "center", Reader::point);
-    let direction = f.required(r, "direction", direction);
-    let width = f.required(r, "width", Reader::number);
-    let rays = f.required(r, "rays", Reader::count32);
-    Some(Light::Beam { center: center?, direction: direction?, width: width?, rays: rays? })
-}
-
-fn fan(r: &mut Reader, variant: &Variant<'_>) -> Option<Light> {
-    let f = variant.fields(r, &["from", "direction", "spread", "rays"])?;
-    let from = f.required(r, "from", Reader::point);
-    let direction = f.required(r, "direction", direction);
-    let spread = f.required(r, "spread", Reader::number);
-    let rays = f.required(r, "rays", Reader::count32);
-    Some(Light::Fan { from: from?, direction: direction?, spread: spread?, rays: rays? })
-}
-
-fn direction(r: &mut Reader, node: &Node<'_>) -> Option<Direction> {
-    let variant = r.variant(node, "a direction", &DIRECTIONS)?;
-    if variant.name == "Angle" {
-        let degrees = variant.value(r, "degrees")?;
-        return r.number(&degrees).map(Direction::Angle);
+impl Read for Light {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let variant = r.variant(node, "a light", &LIGHTS)?;
+        Some(match variant.name {
+            "Ray" => {
+                let f = variant.fields(r, &["from", "direction"])?;
+                Self::Ray { from: f.required(r, "from"), direction: f.required(r, "direction") }
+            }
+            "Beam" => {
+                let f = variant.fields(r, &["center", "direction", "width", "rays"])?;
+                let (center, direction) = (f.required(r, "center"), f.required(r, "direction"));
+                Self::Beam { center, direction, width: f.required(r, "width"), rays: rays(r, &f) }
+            }
+            "Fan" => {
+                let f = variant.fields(r, &["from", "direction", "spread", "rays"])?;
+                let (from, direction) = (f.required(r, "from"), f.required(r, "direction"));
+                Self::Fan { from, direction, spread: f.required(r, "spread"), rays: rays(r, &f) }
+            }
+            _ => {
+                let f = variant.fields(r, &["at", "rays"])?;
+                Self::Point { at: f.required(r, "at"), rays: rays(r, &f) }
+            }
+        })
     }
-    let point = variant.value(r, "point")?;
-    r.point(&point).map(Direction::Towards)
+
+    fn stand_in() -> Self {
+        Self::Ray { from: DVec2::NAN, direction: Direction::stand_in() }
+    }
 }
 
-fn spectrum(r: &mut Reader, node: &Node<'_>) -> Option<Spectrum> {
-    let variant = r.variant(node, "a spectrum", &SPECTRA)?;
-    match variant.name {
-        "Line" => variant.value(r, "nm").and_then(|nm| r.number(&nm)).map(Spectrum::Line),
-        "Lines" => variant.value(r, "nm").and_then(|list| r.numbers(&list)).map(Spectrum::Lines),
-        _ => {
-            let f = variant.fields(r, &["samples"])?;
-            Some(Spectrum::White { samples: f.required(r, "samples", Reader::count32)? })
+fn rays(r: &mut Reader, f: &Fields<'_>) -> u32 {
+    f.required::<UpTo<MAX_RAYS>>(r, "rays").0
+}
+
+impl Read for Direction {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let variant = r.variant(node, "a direction", &DIRECTIONS)?;
+        if variant.name == "Angle" {
+            return Some(Self::Angle(variant.value(r, "degrees")?));
         }
+        Some(Self::Towards(variant.value(r, "point")?))
+    }
+
+    fn stand_in() -> Self {
+        Self::Angle(f64::NAN)
     }
 }
 
-fn polarization(r: &mut Reader, node: &Node<'_>) -> Option<Polarization> {
-    let variant = r.variant(node, "a polarization", &POLARIZATIONS)?;
-    variant.alone(r)?;
-    Some(match variant.name {
-        "S" => Polarization::S,
-        "P" => Polarization::P,
-        _ => Polarization::Unpolarized,
-    })
+impl Read for Spectrum {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let variant = r.variant(node, "a spectrum", &SPECTRA)?;
+        Some(match variant.name {
+            "Line" => Self::Line(variant.value(r, "nm")?),
+            "Lines" => Self::Lines(variant.value(r, "nm")?),
+            _ => {
+                let UpTo::<{ MAX_LINES as u64 }>(samples) = variant.fields(r, &["samples"])?.required(r, "samples");
+                Self::White { samples }
+            }
+        })
+    }
+
+    fn stand_in() -> Self {
+        Self::default()
+    }
+}
+
+impl Read for Polarization {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let variant = r.variant(node, "a polarization", &POLARIZATIONS)?;
+        variant.alone(r);
+        Some(match variant.name {
+            "S" => Self::S,
+            "P" => Self::P,
+            _ => Self::Unpolarized,
+        })
+    }
+
+    fn stand_in() -> Self {
+        Self::default()
+    }
 }

@@ -3,8 +3,17 @@
 use ron::Error;
 use ron::error::{Position, SpannedError};
 
+use super::brackets::{Open, innermost_open};
 use super::node::skip_blank;
 use crate::scene::Problem;
+
+/// What to say about a place where parsing stopped.
+struct Fault {
+    at: usize,
+    message: String,
+    label: &'static str,
+    help: &'static str,
+}
 
 /// The problem at the place where parsing stopped; `offset` is where `text` begins in the file.
 pub(super) fn syntax_problem(text: &str, offset: usize, error: &SpannedError) -> Problem {
@@ -12,95 +21,148 @@ pub(super) fn syntax_problem(text: &str, offset: usize, error: &SpannedError) ->
         let help = "a scene begins with `(` and ends with `)`; the smallest one is `()`";
         return Problem::error("", "the file holds no scene", help).at(offset..offset);
     }
-    let (message, label, help) = words(text, error);
-    // Strings and block comments that never end are shown where they begin.
-    let place = match error.code {
-        Error::ExpectedStringEnd => &error.span.start,
-        _ => &error.span.end,
-    };
-    let start = byte_of(text, place);
-    let length =
-        text.get(start..).and_then(|rest| rest.chars().next()).filter(|c| *c != '\n').map_or(0, char::len_utf8);
-    Problem::error("", message, help).label(label).at(offset + start..offset + start + length)
+    let Fault { at, message, label, help } = fault(text, error);
+    let length = char_at(text, at).filter(|c| *c != '\n').map_or(0, char::len_utf8);
+    Problem::error("", message, help).label(label).at(offset + at..offset + at + length)
 }
 
-fn words(text: &str, error: &SpannedError) -> (String, &'static str, &'static str) {
-    let found = found(text, byte_of(text, &error.span.end));
+fn fault(text: &str, error: &SpannedError) -> Fault {
+    let at = byte_of(text, &error.span.end);
+    let open = innermost_open(text, at);
     match &error.code {
-        Error::Eof => (
-            "the text ends in the middle of a value".to_owned(),
-            "ends here",
-            "complete the value and close every `(` and `[`",
-        ),
-        Error::ExpectedComma if found == "the end of the text" => {
-            ("a closing bracket is missing".to_owned(), "ends here", "close every `(` with `)` and every `[` with `]`")
-        }
-        Error::ExpectedComma => (
-            format!("expected `,` or a closing bracket, found {found}"),
-            "not expected here",
-            "separate values by `,` and close every bracket; words with a dash or blank in them need quotes, as in `Catalog(\"N-BK7\")`",
-        ),
-        Error::ExpectedArrayEnd => {
-            (format!("expected `]`, found {found}"), "not expected here", "close the list with `]`")
-        }
-        Error::ExpectedStructLikeEnd | Error::ExpectedOptionEnd | Error::ExpectedMapEnd => (
-            format!("expected a closing bracket, found {found}"),
-            "not expected here",
-            "close the parenthesis with `)`",
-        ),
-        Error::ExpectedMapColon => (
-            format!("expected `:` after the field's name, found {found}"),
-            "not expected here",
-            "write a field as `name: value`",
-        ),
-        Error::ExpectedIdentifier | Error::SuggestRawIdentifier(_) | Error::InvalidIdentifier(_) => (
-            format!("expected the name of a field, found {found}"),
-            "not a name",
-            "write a field as `name: value`; named and unnamed values do not mix in one pair of parentheses",
-        ),
-        Error::ExpectedStringEnd => (
-            "the text in quotes never ends".to_owned(),
-            "begins here",
-            "add the closing `\"`; a quote inside of the text is written `\\\"`",
-        ),
-        Error::InvalidEscape(_) => (
-            "unknown escape in the text".to_owned(),
-            "after a `\\`",
-            "write a backslash as `\\\\`, a quote as `\\\"`, a line break as `\\n`",
-        ),
-        Error::UnclosedBlockComment => {
-            ("the comment never ends".to_owned(), "ends here", "close the comment with `*/`")
-        }
-        Error::TrailingCharacters => (
-            format!("the scene is complete, but {found} follows"),
-            "not expected here",
-            "a file holds one scene in one pair of parentheses; check for a `)` too many before",
-        ),
-        Error::ExceededRecursionLimit => (
-            "the brackets are nested too deep".to_owned(),
-            "too deep",
-            "no scene needs more than 12 levels; check for an opening bracket too many",
-        ),
-        Error::UnexpectedChar(_) => (
-            format!("expected a value, found {found}"),
-            "not a value",
-            "write a number, text in quotes, a point `(x, y)`, a list `[…]` or a word such as `Mirror`; a comment begins with `//`",
-        ),
-        Error::ExpectedAttribute | Error::ExpectedAttributeEnd | Error::NoSuchExtension(_) => (
-            "a scene does not begin with `#`".to_owned(),
-            "not expected here",
-            "begin with `(`; a comment begins with `//`",
-        ),
-        _ => (
-            format!("expected a number or another value, found {found}"),
-            "not a value",
-            "write a number such as `1.5` or `2e-3`, text in quotes, a point `(x, y)` or a list `[…]`",
-        ),
+        Error::UnclosedBlockComment => Fault {
+            at: text.rfind("/*").unwrap_or(at),
+            message: "the comment never ends".to_owned(),
+            label: "begins here",
+            help: "close the comment with `*/`",
+        },
+        Error::ExpectedStringEnd => Fault {
+            at: byte_of(text, &error.span.start),
+            message: "the text in quotes never ends".to_owned(),
+            label: "begins here",
+            help: "add the closing `\"`; a quote inside of the text is written `\\\"`",
+        },
+        Error::ExpectedChar => Fault {
+            at: text[..at].rfind('\'').unwrap_or(at),
+            message: "text does not stand in single quotes".to_owned(),
+            label: "not a value",
+            help: "put the text in double quotes: `\"…\"`",
+        },
+        Error::ExceededRecursionLimit => Fault {
+            at,
+            message: "the brackets are nested too deep".to_owned(),
+            label: "too deep",
+            help: "no scene needs more than 12 levels; check for an opening bracket too many",
+        },
+        _ if text[at..].is_empty() => unclosed(at, open),
+        Error::ExpectedComma => separator(text, at, open),
+        code => other_fault(text, at, code),
     }
 }
 
+fn other_fault(text: &str, at: usize, code: &Error) -> Fault {
+    let found = found(text, at);
+    let (message, help) = match code {
+        Error::ExpectedArrayEnd => (format!("expected `]`, found {found}"), "close the list with `]`"),
+        Error::ExpectedStructLikeEnd | Error::ExpectedOptionEnd | Error::ExpectedMapEnd => {
+            (format!("expected a closing bracket, found {found}"), "close the parenthesis with `)`")
+        }
+        Error::ExpectedMapColon => {
+            (format!("expected `:` after the field's name, found {found}"), "write a field as `name: value`")
+        }
+        Error::ExpectedIdentifier | Error::SuggestRawIdentifier(_) | Error::InvalidIdentifier(_) => (
+            format!("expected the name of a field, found {found}"),
+            "write a field as `name: value`; named and unnamed values do not mix in one pair of parentheses",
+        ),
+        Error::InvalidEscape(_) => (
+            "the `\\` in this text begins no character".to_owned(),
+            "write a backslash as `\\\\`, a quote as `\\\"`, a line break as `\\n`",
+        ),
+        Error::TrailingCharacters => (
+            format!("the scene is complete, but {found} follows"),
+            "a file holds one scene in one pair of parentheses; check for a `)` too many before",
+        ),
+        Error::ExpectedAttribute | Error::ExpectedAttributeEnd | Error::NoSuchExtension(_) => {
+            ("a scene does not begin with `#`".to_owned(), "begin with `(`; a comment begins with `//`")
+        }
+        _ => (
+            format!("expected a value, found {found}"),
+            "write a number, text in double quotes, a point `(x, y)`, a list `[…]` or a word such as `Mirror`",
+        ),
+    };
+    Fault { at, message, label: "not expected here", help }
+}
+
+/// The text ended in the middle of something.
+fn unclosed(at: usize, open: Option<Open>) -> Fault {
+    let Some(open) = open else {
+        let message = "the text ends in the middle of a value".to_owned();
+        return Fault { at, message, label: "ends here", help: "complete the value" };
+    };
+    let (bracket, help) = match open.bracket {
+        '[' => ('[', "add the closing `]`"),
+        other => (other, "add the closing `)`"),
+    };
+    Fault { at: open.at, message: format!("this `{bracket}` is never closed"), label: "opens here", help }
+}
+
+/// Neither a comma nor the right closing bracket follows a value; what was probably meant shows in the text around.
+fn separator(text: &str, at: usize, open: Option<Open>) -> Fault {
+    let before = &text[..at];
+    let (last, next) = (before.chars().next_back().unwrap_or(' '), char_at(text, at).unwrap_or(' '));
+    let inside = open.map_or('(', |open| open.bracket);
+    let line = open.map_or(1, |open| 1 + text[..open.at].matches('\n').count());
+    let found = found(text, at);
+    let fault = |message: String, label, help| Fault { at, message, label, help };
+    match (last, next) {
+        (_, ']' | ')' | '}') => {
+            let message = format!("{found} does not close the `{inside}` from line {line}");
+            fault(message, "does not match", "close every `(` with `)` and every `[` with `]`, the inner ones first")
+        }
+        (_, ':') if inside == '[' => {
+            let message = format!("a field in the middle of the list from line {line}");
+            fault(message, "not expected here", "close the list with `]` before, or put its fields in parentheses")
+        }
+        (_, ':') => fault(
+            "a value with a name among values without names".to_owned(),
+            "not expected here",
+            "name all values in one pair of parentheses, or none, as the form asks for",
+        ),
+        ('0'..='9' | '.', c) if c.is_alphabetic() || "°µ%\"'".contains(c) => fault(
+            format!("a number is followed by {found}"),
+            "not part of a number",
+            "write numbers without a unit: lengths in one unit of your choice, angles in degrees, wavelengths in nm",
+        ),
+        (c, '-') if c.is_alphanumeric() => fault(
+            "a word breaks off at a dash".to_owned(),
+            "not part of a word",
+            "put names with a dash in quotes, as in `Catalog(\"N-BK7\")`",
+        ),
+        ('"', c) if c.is_alphanumeric() => fault(
+            "text in quotes ends just before this".to_owned(),
+            "outside of the quotes",
+            "check whether a `\"` is missing further up; a quote inside of the text is written `\\\"`",
+        ),
+        _ => missing_comma(text, before.trim_end().len(), found),
+    }
+}
+
+fn missing_comma(text: &str, at: usize, found: String) -> Fault {
+    let value_begins = char_at(text, at + 1) == Some('"') && text[..at].ends_with(char::is_alphanumeric);
+    if value_begins {
+        let message = format!("expected `:` between the field's name and its value, found {found}");
+        return Fault { at, message, label: "`:` is missing", help: "write a field as `name: value`" };
+    }
+    let message = format!("expected `,` between two values, found {found}");
+    Fault { at, message, label: "`,` is missing", help: "separate values by `,`" }
+}
+
+fn char_at(text: &str, at: usize) -> Option<char> {
+    text.get(at..).and_then(|rest| rest.chars().next())
+}
+
 fn found(text: &str, at: usize) -> String {
-    match text.get(at..).and_then(|rest| rest.chars().next()) {
+    match char_at(text, at) {
         None => "the end of the text".to_owned(),
         Some('\n' | '\r') => "the end of the line".to_owned(),
         Some(c) if c.is_control() => "a control character".to_owned(),

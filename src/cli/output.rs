@@ -1,0 +1,81 @@
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use super::console::{Fault, Mistake, reason};
+
+/// Where a result goes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Target {
+    /// Standard output.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl Target {
+    /// The target of `-o`: `-` is standard output.
+    pub(super) fn from_argument(path: &Path) -> Self {
+        if path == Path::new("-") { Self::Stdout } else { Self::File(path.into()) }
+    }
+
+    /// Refuses to write a result over one of the scenes it is made from.
+    pub(super) fn refuse_to_overwrite(&self, scenes: &[PathBuf]) -> Result<(), Mistake> {
+        let Self::File(path) = self else { return Ok(()) };
+        let Ok(there) = path.canonicalize() else { return Ok(()) };
+        match scenes.iter().find(|scene| scene.canonicalize().is_ok_and(|scene| scene == there && scene.is_file())) {
+            Some(scene) => Err(Mistake(format!("the result would overwrite the scene '{}'", scene.display()))),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes a result. A file appears whole or not at all; a pipe that nobody reads any more ends it quietly.
+    pub(super) fn write(&self, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Fault> {
+        let (name, written) = match self {
+            Self::Stdout => ("<stdout>".into(), buffered(io::stdout().lock(), produce)),
+            Self::File(path) => (path.display().to_string(), write_file(path, produce)),
+        };
+        match written {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                Err(Fault(format!("{name}: cannot be written: its folder does not exist")))
+            }
+            Err(error) => Err(Fault(format!("{name}: cannot be written: {}", reason(&error)))),
+            Ok(()) => Ok(()),
+        }
+    }
+}
+
+fn write_file(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    match fs::metadata(path) {
+        Ok(there) if there.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        // A device or a named pipe cannot be replaced by a file.
+        Ok(there) if !there.is_file() => buffered(File::options().write(true).open(path)?, produce),
+        _ => write_whole(path, produce),
+    }
+}
+
+/// Writes beside the file and moves the result there once it is complete.
+fn write_whole(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    // What a link points to is replaced, not the link.
+    let path = path.canonicalize().unwrap_or_else(|_| path.into());
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".snellius-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As for any new file: the process's umask takes away what it takes away.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    buffered(file.as_file_mut(), produce)?;
+    file.persist(&path).map_err(|failed| failed.error)?;
+    Ok(())
+}
+
+fn buffered(out: impl Write, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::new(out);
+    produce(&mut out)?;
+    out.flush()
+}

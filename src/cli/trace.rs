@@ -1,0 +1,99 @@
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use super::console::{Fault, Mistake, Status};
+use super::output::Target;
+use super::scene::{self, Ready};
+use super::stats::{self, Stopwatch};
+use crate::{report, trace};
+
+/// Trace a scene and print what became of every ray.
+#[derive(Args)]
+pub(super) struct Trace {
+    /// Scene file; '-' is standard input.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Form of the result; otherwise the extension of -o decides, and without one it is text.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// File to write; '-' is standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print counts, powers and times on standard error.
+    #[arg(long)]
+    stats: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// The ray tree by address, for reading and for snapshot tests.
+    Text,
+    /// One object with every field.
+    Json,
+    /// One row a segment.
+    Csv,
+    /// The JSON object without its rays, which are not stored: for millions of them.
+    Summary,
+}
+
+impl Format {
+    fn of_extension(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "txt" | "text" => Some(Self::Text),
+            "json" => Some(Self::Json),
+            "csv" => Some(Self::Csv),
+            _ => None,
+        }
+    }
+}
+
+impl Trace {
+    pub(super) fn run(&self) -> Result<Status, Mistake> {
+        let target = self.output.as_deref().map_or(Target::Stdout, Target::from_argument);
+        target.refuse_to_overwrite(std::slice::from_ref(&self.scene))?;
+        let format = self.format(&target)?;
+        Ok(Status::of(self.trace(&target, format)))
+    }
+
+    fn format(&self, target: &Target) -> Result<Format, Mistake> {
+        match (self.format, target) {
+            (Some(format), _) => Ok(format),
+            (None, Target::Stdout) => Ok(Format::Text),
+            (None, Target::File(path)) => Format::of_extension(path).ok_or_else(|| {
+                Mistake(format!(
+                    "the extension of '{}' is none of txt, json and csv: name the form with --format",
+                    path.display()
+                ))
+            }),
+        }
+    }
+
+    fn trace(&self, target: &Target, format: Format) -> Result<(), Fault> {
+        let mut watch = Stopwatch::start();
+        let Ready { system, .. } = scene::prepare(&self.scene, &mut watch)?;
+        let name = scene::name(&self.scene);
+        if format == Format::Summary {
+            let summary = trace::summarize(&system);
+            watch.lap("trace");
+            target.write(|mut out| report::write_summary_json(&mut out, &system, &summary))?;
+            watch.lap("write");
+            if self.stats {
+                stats::show(&name, &system, &summary, None, &watch);
+            }
+            return Ok(());
+        }
+        let trace = trace::trace(&system);
+        watch.lap("trace");
+        target.write(|mut out| match format {
+            Format::Csv => report::write_csv(&mut out, &system, &trace.tree),
+            Format::Json => report::write_json(&mut out, &system, &trace),
+            Format::Text | Format::Summary => report::write_text(&mut out, &system, &trace),
+        })?;
+        watch.lap("write");
+        if self.stats {
+            stats::show(&name, &system, &trace.summary, Some(&trace.tree), &watch);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,66 @@
+use glam::DVec2;
+
+use crate::diagram::{Figure, nice};
+use crate::drawing::{Item, Path, Shape, Stroke, Text};
+
+/// Lines are at least a third of this apart, pixels.
+const SPACING: f64 = 90.0;
+const NUMBER_SIZE: f64 = 10.0;
+
+/// Lines at round coordinates, with numbers at the left and the foot.
+pub(super) fn grid(figure: &Figure<'_>) -> Vec<Item> {
+    let area = figure.frame.area;
+    let shown = figure.frame.shown();
+    let Some(step) = nice::at_most(SPACING / figure.frame.scale()) else { return Vec::new() };
+    let mut items = Vec::new();
+    let mut free = area.min.x;
+    for x in multiples(step, shown.min.x, shown.max.x) {
+        let at = figure.frame.place(DVec2::new(x, 0.0)).x;
+        items.push(line(figure, DVec2::new(at, area.min.y), DVec2::new(at, area.max.y), x));
+        let number = number(figure, x, DVec2::new(at + 3.0, area.max.y - 3.0));
+        let bounds = number.bounds();
+        if bounds.min.x >= free && bounds.max.x <= area.max.x {
+            free = bounds.max.x + 8.0;
+            items.push(number.into());
+        }
+    }
+    for y in multiples(step, shown.min.y, shown.max.y) {
+        let at = figure.frame.place(DVec2::new(0.0, y)).y;
+        items.push(line(figure, DVec2::new(area.min.x, at), DVec2::new(area.max.x, at), y));
+        items.push(number(figure, y, DVec2::new(area.min.x + 3.0, at - 3.0)).into());
+    }
+    items
+}
+
+/// Multiples of a step within an interval; none where the step is lost in rounding.
+fn multiples(step: f64, min: f64, max: f64) -> Vec<f64> {
+    let first = (min / step).ceil();
+    let count = (max / step).floor() - first;
+    if !(count.is_finite() && (0.0..1000.0).contains(&count)) || first.abs() > 1e15 {
+        return Vec::new();
+    }
+    (0..=1000_u32).map(f64::from).take_while(|i| *i <= count).map(|i| (first + i) * step).collect()
+}
+
+/// A line of the grid; the axes are a little stronger.
+fn line(figure: &Figure<'_>, from: DVec2, to: DVec2, value: f64) -> Item {
+    let opacity = if value == 0.0 { 0.5 } else { 0.2 };
+    Shape::stroked(Path::line(from, to), Stroke::solid(figure.palette.quiet, 0.8).faded(opacity), "").into()
+}
+
+fn number(figure: &Figure<'_>, value: f64, at: DVec2) -> Text {
+    Text::new(&nice::label(value), at, NUMBER_SIZE, figure.palette.quiet)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn multiples_stay_inside() {
+        assert_eq!(multiples(2.0, -3.0, 4.5), [-2.0, 0.0, 2.0, 4.0]);
+        assert!(multiples(1.0, 1e300, 1e301).is_empty());
+        assert!(multiples(1e-12, 1e12, 1e12 + 1.0).is_empty());
+        assert!(multiples(1.0, f64::NEG_INFINITY, f64::INFINITY).is_empty());
+    }
+}

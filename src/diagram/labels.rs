@@ -1,0 +1,244 @@
+use glam::DVec2;
+
+use crate::diagram::frame::clip;
+use crate::diagram::{Figure, bodies, outline, surfaces};
+use crate::drawing::{Anchor, Color, Item, PathStep, Rect, Text};
+use crate::scene::{Substance, Surface};
+
+const SIZE: f64 = 12.0;
+/// Free space between a label and what it names, pixels.
+const GAP: f64 = 11.0;
+/// Lines beyond this many are not kept free.
+const MOST_LINES: usize = 3000;
+/// Cost of a label on a label or off the frame: such a place is never taken.
+const FORBIDDEN: f64 = 1e6;
+
+/// Every body's label, or else its name, inside where there is room and beside it where not.
+/// `marks` are further lines to keep off.
+pub(super) fn labels(figure: &Figure<'_>, marks: &[&[Item]]) -> Vec<Item> {
+    if !figure.scene.diagram.labels {
+        return Vec::new();
+    }
+    let shapes: Vec<Vec<Shape>> = (0..figure.system.bodies().len()).map(|k| shapes(figure, k)).collect();
+    let boxes = shapes.iter().map(|shapes| seen(shapes, &figure.frame.area)).collect();
+    let mut room =
+        Room { boxes, area: figure.frame.area, lines: lines(figure, &shapes, marks), taken: notes(figure), own: 0 };
+    let mut items: Vec<Item> = Vec::new();
+    for k in 0..shapes.len() {
+        let Some(words) = words(figure, k) else { continue };
+        let text = Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label");
+        let later = &shapes[k + 1..];
+        room.own = k;
+        let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area));
+        let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
+            let beside = room.best(&text, &room.away_from_others(beside(&shapes[k], &text, &room.area), &text));
+            [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+        });
+        if let Some((_, middle)) = place {
+            let text = centered(&text, middle);
+            room.taken.push(text.bounds().grown(3.0));
+            items.push(text.into());
+        }
+    }
+    items
+}
+
+/// The outline's color, deep enough to read on the fill.
+fn color(figure: &Figure<'_>, k: usize) -> Color {
+    bodies::line_color(figure, k).toward(figure.palette.ink, 0.25)
+}
+
+fn words<'a>(figure: &'a Figure<'_>, k: usize) -> Option<&'a str> {
+    let body = figure.scene.bodies.get(k)?;
+    body.label.as_deref().or(body.name.as_deref()).filter(|words| !words.trim().is_empty())
+}
+
+/// An outline as chords.
+struct Shape {
+    points: Vec<DVec2>,
+    /// Whether it has an inside.
+    filled: bool,
+    bounds: Rect,
+}
+
+fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
+    let substance = figure.scene.bodies.get(k).map(|body| &body.substance);
+    // The barbs of a diverging lens reach beyond its ends.
+    let barbed =
+        matches!(substance, Some(Substance::Surface(Surface::ThinLens { focal_length })) if *focal_length < 0.0);
+    let outlines = figure.system.bodies()[k].outlines.iter();
+    let shapes = outlines.filter_map(|outline| {
+        let points = outline::flatten(&figure.frame, &outline.curves);
+        let [min, max] = [points.iter().copied().reduce(DVec2::min)?, points.iter().copied().reduce(DVec2::max)?];
+        let bounds = Rect { min, max }.grown(if barbed { surfaces::BARB } else { 0.0 });
+        Some(Shape { points, filled: outline.closed, bounds })
+    });
+    shapes.collect()
+}
+
+/// Outlines, rays and other marks, which labels keep off.
+fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], marks: &[&[Item]]) -> Vec<[DVec2; 2]> {
+    let chords = shapes.iter().flatten().flat_map(|shape| shape.points.windows(2));
+    let mut lines: Vec<[DVec2; 2]> = chords.map(|pair| [pair[0], pair[1]]).collect();
+    for item in marks.iter().copied().flatten() {
+        if let Item::Shape(shape) = item
+            && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
+        {
+            lines.push([*a, *b]);
+        }
+    }
+    lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
+    lines
+}
+
+/// Places of the author's notes.
+fn notes(figure: &Figure<'_>) -> Vec<Rect> {
+    let texts = crate::diagram::notes::notes(figure).into_iter();
+    texts.filter_map(|item| if let Item::Text(text) = item { Some(text.bounds().grown(3.0)) } else { None }).collect()
+}
+
+/// Middles of places inside a body's outline where the whole text fits and no later body covers it.
+fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
+    let mut places = Vec::new();
+    for shape in shapes.iter().filter(|shape| shape.filled) {
+        let Some(bounds) = seen([shape], area) else { continue };
+        // A little below the middle is the natural place: light mostly crosses the middle.
+        let home = bounds.center() + DVec2::new(0.0, 0.15 * bounds.size().y);
+        for (column, row) in (1..12).flat_map(|column| (1..16).map(move |row| (column, row))) {
+            let share = DVec2::new(f64::from(column) / 12.0, f64::from(row) / 16.0);
+            let middle = bounds.min + share * bounds.size();
+            let rect = centered(text, middle).bounds().grown(3.0);
+            let fits = rim(&rect).into_iter().all(|p| contains(shape, p));
+            if fits && !later.iter().flatten().any(|other| covers(other, &rect)) {
+                places.push(((middle - home).length() / bounds.size().max_element(), middle));
+            }
+        }
+    }
+    places
+}
+
+/// Whether a later body hides a part of a place.
+fn covers(shape: &Shape, rect: &Rect) -> bool {
+    shape.filled && shape.bounds.overlaps(rect) && rim(rect).into_iter().any(|p| contains(shape, p))
+}
+
+/// Middles of places beside a body, from the nearest.
+fn beside(shapes: &[Shape], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
+    let Some(bounds) = seen(shapes, area) else { return Vec::new() };
+    let half = 0.5 * text.bounds().size() + GAP;
+    let mut places = Vec::new();
+    for (i, share) in [0.5, 0.2, 0.8, 0.0, 1.0].into_iter().enumerate() {
+        let along = bounds.min + share * bounds.size();
+        let near = DVec2::new(along.x, bounds.max.y + half.y);
+        let sides = [
+            near,
+            DVec2::new(along.x, bounds.min.y - half.y),
+            DVec2::new(bounds.max.x + half.x, along.y),
+            DVec2::new(bounds.min.x - half.x, along.y),
+        ];
+        let rank = [0.0, 1.0, 2.0, 3.0, 4.0][i];
+        places.extend([0.0, 0.2, 0.4, 0.6].into_iter().zip(sides).map(|(side, p)| (2.0 + rank + side, p)));
+    }
+    places
+}
+
+/// The box of what the frame shows of some outlines; `None` if it shows nothing.
+fn seen<'a>(shapes: impl IntoIterator<Item = &'a Shape>, area: &Rect) -> Option<Rect> {
+    let join = |a: Rect, b: Rect| Rect { min: a.min.min(b.min), max: a.max.max(b.max) };
+    let all = shapes.into_iter().map(|shape| shape.bounds).reduce(join)?;
+    all.overlaps(area).then(|| Rect { min: all.min.max(area.min), max: all.max.min(area.max) })
+}
+
+/// The text with the middle of its letters at a point.
+fn centered(text: &Text, middle: DVec2) -> Text {
+    let at = middle + DVec2::new(0.0, 0.36 * text.size);
+    Text { at: DVec2::new(crate::drawing::pixel(at.x), crate::drawing::pixel(at.y)), ..text.clone() }
+}
+
+fn rim(rect: &Rect) -> [DVec2; 8] {
+    let (a, b, c) = (rect.min, rect.max, rect.center());
+    [
+        a,
+        b,
+        (a.x, b.y).into(),
+        (b.x, a.y).into(),
+        (c.x, a.y).into(),
+        (c.x, b.y).into(),
+        (a.x, c.y).into(),
+        (b.x, c.y).into(),
+    ]
+}
+
+/// Whether a closed polygon contains a point, by the even-odd rule.
+fn contains(Shape { points: polygon, .. }: &Shape, p: DVec2) -> bool {
+    let mut inside = false;
+    for (i, b) in polygon.iter().enumerate() {
+        let a = polygon[if i == 0 { polygon.len() - 1 } else { i - 1 }];
+        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)) {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
+/// What is free and what is not.
+struct Room {
+    area: Rect,
+    lines: Vec<[DVec2; 2]>,
+    taken: Vec<Rect>,
+    /// What is seen of every body.
+    boxes: Vec<Option<Rect>>,
+    /// The body that a place is sought for.
+    own: usize,
+}
+
+impl Room {
+    /// The same places, dearer where another body is nearer than the own one and the words would seem to be its.
+    fn away_from_others(&self, places: Vec<(f64, DVec2)>, text: &Text) -> Vec<(f64, DVec2)> {
+        let priced = places.into_iter().map(|(cost, p)| {
+            let rect = centered(text, p).bounds();
+            let apart = |k: usize| self.boxes[k].map(|other| gap(&rect, &other));
+            let others = (0..self.boxes.len()).filter(|k| *k != self.own).filter_map(apart);
+            let nearest = others.fold(f64::INFINITY, f64::min);
+            let own = apart(self.own).unwrap_or(0.0);
+            (
+                if nearest <= own {
+                    cost + 6.0
+                } else if nearest < 2.0 * own {
+                    cost + 2.0
+                } else {
+                    cost
+                },
+                p,
+            )
+        });
+        priced.collect()
+    }
+
+    /// The cheapest place and its cost; `None` if every one is forbidden.
+    fn best(&self, text: &Text, places: &[(f64, DVec2)]) -> Option<(f64, DVec2)> {
+        let rects: Vec<Rect> = places.iter().map(|(_, p)| centered(text, *p).bounds()).collect();
+        let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
+        let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all)).collect();
+        let costs = places.iter().zip(&rects).map(|((cost, p), rect)| (cost + self.cost(rect, &near), *p));
+        costs.filter(|(cost, _)| *cost < FORBIDDEN).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    fn cost(&self, rect: &Rect, lines: &[&[DVec2; 2]]) -> f64 {
+        let off = !(self.area.contains(rect.min) && self.area.contains(rect.max));
+        if off || self.taken.iter().any(|other| other.overlaps(rect)) {
+            return FORBIDDEN;
+        }
+        lines.iter().filter(|line| crosses(line, rect)).map(|_| 10.0).sum()
+    }
+}
+
+/// Distance of two rectangles, 0 where they overlap.
+fn gap(a: &Rect, b: &Rect) -> f64 {
+    (a.min - b.max).max(b.min - a.max).max(DVec2::ZERO).length()
+}
+
+/// Whether a line comes closer to a place than is good to read.
+fn crosses([a, b]: &[DVec2; 2], rect: &Rect) -> bool {
+    clip(*a, *b - *a, 1.0, &rect.grown(6.0)).is_some()
+}

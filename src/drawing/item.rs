@@ -1,0 +1,142 @@
+use std::collections::BTreeSet;
+
+use crate::drawing::{Color, Fill, Path, Rect, Stroke, Text};
+
+/// A whole figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Ground; `None` is transparent.
+    pub background: Option<Color>,
+    /// Title for readers that show one.
+    pub title: String,
+    /// Longer description.
+    pub description: String,
+    /// What is drawn, from back to front.
+    pub items: Vec<Item>,
+}
+
+/// One thing that is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// A path.
+    Shape(Shape),
+    /// A line of text.
+    Text(Text),
+    /// Things that belong together.
+    Group(Group),
+}
+
+/// A path with its style.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shape {
+    /// Its lines.
+    pub path: Path,
+    /// How it is filled; `None` leaves it empty.
+    pub fill: Option<Fill>,
+    /// How its lines are drawn; `None` leaves them out.
+    pub stroke: Option<Stroke>,
+    /// Class names, by spaces; may be empty.
+    pub class: String,
+    /// Attributes such as `("data-body", "prism")`.
+    pub data: Vec<(&'static str, String)>,
+}
+
+/// Things that belong together, such as a layer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Group {
+    /// Class names, by spaces; may be empty.
+    pub class: String,
+    /// Attributes such as `("data-body", "prism")`.
+    pub data: Vec<(&'static str, String)>,
+    /// Nothing is drawn outside of this rectangle.
+    pub clip: Option<Rect>,
+    /// If given, its items add up as lights do: they screen each other, apart from what lies behind, and the whole is laid
+    /// on that with this opacity.
+    pub light: Option<f64>,
+    /// What is drawn, from back to front.
+    pub items: Vec<Item>,
+}
+
+impl Shape {
+    /// A path with a line.
+    #[must_use]
+    pub fn stroked(path: Path, stroke: Stroke, class: &str) -> Self {
+        Self { path, stroke: Some(stroke), class: class.to_owned(), ..Self::default() }
+    }
+
+    /// A path with a fill.
+    #[must_use]
+    pub fn filled(path: Path, fill: Fill, class: &str) -> Self {
+        Self { path, fill: Some(fill), class: class.to_owned(), ..Self::default() }
+    }
+
+    /// The same with an attribute more.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: String) -> Self {
+        self.data.push((name, value));
+        self
+    }
+}
+
+impl Group {
+    /// A layer of things.
+    #[must_use]
+    pub fn layer(class: &str, items: Vec<Item>) -> Self {
+        Self { class: class.to_owned(), items, ..Self::default() }
+    }
+
+    /// The same, its items adding up as lights do, laid with an opacity on what lies behind.
+    #[must_use]
+    pub fn of_light(self, opacity: f64) -> Self {
+        Self { light: Some(opacity), ..self }
+    }
+
+    /// The same, drawn only inside of a rectangle.
+    #[must_use]
+    pub fn clipped(self, clip: Rect) -> Self {
+        Self { clip: Some(clip), ..self }
+    }
+}
+
+impl Drawing {
+    /// Characters that the embedded font lacks and that PNG shows as boxes, in order, each once.
+    #[must_use]
+    pub fn missing_glyphs(&self) -> Vec<char> {
+        let mut found = BTreeSet::new();
+        collect_missing(&self.items, &mut found);
+        found.into_iter().collect()
+    }
+}
+
+fn collect_missing(items: &[Item], found: &mut BTreeSet<char>) {
+    for item in items {
+        match item {
+            Item::Shape(_) => {}
+            Item::Text(text) => {
+                let glyphs = text.glyphs();
+                found.extend(glyphs.iter().filter(|g| !text.font.has(g.character)).map(|g| g.character));
+            }
+            Item::Group(group) => collect_missing(&group.items, found),
+        }
+    }
+}
+
+impl From<Shape> for Item {
+    fn from(shape: Shape) -> Self {
+        Self::Shape(shape)
+    }
+}
+
+impl From<Text> for Item {
+    fn from(text: Text) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<Group> for Item {
+    fn from(group: Group) -> Self {
+        Self::Group(group)
+    }
+}

@@ -1,0 +1,36 @@
+/// Beyond this many pixels nothing is visible, and single precision renderers still place a tenth of a pixel.
+const FAR: f64 = 1e6;
+
+/// A pixel coordinate fit for output: finite, at most 10⁶ in size, rounded to 1/100, never −0; NaN becomes 0.
+#[must_use]
+pub fn pixel(value: f64) -> f64 {
+    if value.is_nan() { 0.0 } else { (value.clamp(-FAR, FAR) * 100.0).round() / 100.0 + 0.0 }
+}
+
+/// The shortest decimal form that reads back to the same number; exponents below 10⁻⁵ and from 10¹⁶ on.
+#[must_use]
+pub fn shortest(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-5..1e16).contains(&size) { format!("{value:e}") } else { format!("{}", value + 0.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_are_finite_and_rounded() {
+        assert_eq!(pixel(1.234_567), 1.23);
+        assert!(pixel(-0.001).is_sign_positive());
+        assert_eq!(pixel(f64::NAN), 0.0);
+        assert_eq!(pixel(f64::NEG_INFINITY), -FAR);
+    }
+
+    #[test]
+    fn shortest_reads_back() {
+        for (value, text) in [(1.0, "1"), (0.1, "0.1"), (1e-20, "1e-20"), (-0.0, "0"), (2.5e17, "2.5e17")] {
+            assert_eq!(shortest(value), text);
+            assert_eq!(text.parse::<f64>().unwrap(), value);
+        }
+    }
+}

@@ -1,0 +1,329 @@
+//! PNG through tiny-skia. Text is drawn from glyph outlines with the advances that the layout used.
+
+use std::fmt;
+
+use glam::DVec2;
+use kurbo::{Arc, Point, SvgArc, Vec2};
+use tiny_skia::Transform;
+use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, StrokeDash};
+
+use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
+
+/// A picture of more pixels would need over half a gigabyte.
+const MAX_PIXELS: f64 = 1.5e8;
+
+/// Largest distance of a cubic curve from the arc that it stands for, pixels before scaling.
+const ARC_TOLERANCE: f64 = 0.01;
+
+/// Why a figure could not become a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RenderError {
+    /// The scale is not a number above 0.
+    Scale(f32),
+    /// The picture has no pixels or too many.
+    Size {
+        /// Width in pixels.
+        width: f64,
+        /// Height in pixels.
+        height: f64,
+    },
+    /// The encoder failed.
+    Encode(String),
+}
+
+impl fmt::Display for RenderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scale(scale) => write!(f, "the scale must be a number above 0, not {scale}"),
+            Self::Size { width, height } => {
+                write!(f, "a picture of {width} × {height} pixels cannot be made; the limit is {MAX_PIXELS:e} pixels")
+            }
+            Self::Encode(reason) => write!(f, "the PNG encoder failed: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for RenderError {}
+
+/// The figure as a PNG file, `scale` device pixels to a pixel of the figure.
+///
+/// # Errors
+///
+/// If `scale` is not above 0, the picture would be empty or too large, or the encoder fails.
+pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
+    let mut canvas = Canvas::new(drawing, scale)?;
+    if let Some(color) = drawing.background {
+        let Color([r, g, b]) = color;
+        canvas.pixels.fill(tiny_skia::Color::from_rgba8(r, g, b, 255));
+    }
+    canvas.items(&drawing.items, None);
+    canvas.pixels.encode_png().map_err(|error| RenderError::Encode(error.to_string()))
+}
+
+struct Canvas {
+    pixels: Pixmap,
+    transform: Transform,
+    /// How a shape is laid on what is there.
+    mode: BlendMode,
+}
+
+impl Canvas {
+    fn new(drawing: &Drawing, scale: f32) -> Result<Self, RenderError> {
+        if !(scale.is_finite() && scale > 0.0) {
+            return Err(RenderError::Scale(scale));
+        }
+        let [width, height] = drawing.size.map(|side| (f64::from(side) * f64::from(scale)).round());
+        let refused = RenderError::Size { width, height };
+        if !(width >= 1.0 && height >= 1.0 && width * height <= MAX_PIXELS) {
+            return Err(refused);
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1.5e8, just checked")]
+        let pixels = Pixmap::new(width as u32, height as u32).ok_or(refused)?;
+        Ok(Self { pixels, transform: Transform::from_scale(scale, scale), mode: BlendMode::SourceOver })
+    }
+
+    fn items(&mut self, items: &[Item], mask: Option<&Mask>) {
+        for item in items {
+            match item {
+                Item::Shape(shape) => self.shape(shape, mask),
+                Item::Text(text) => self.text(text, mask),
+                Item::Group(group) => {
+                    let clip = group.clip.and_then(|rect| self.clip(&rect, mask));
+                    let mask = clip.as_ref().or(mask);
+                    match group.light {
+                        Some(opacity) => self.light(group, opacity, mask),
+                        None => self.items(&group.items, mask),
+                    }
+                }
+            }
+        }
+    }
+
+    /// Things that add up: they screen each other on an empty layer, which is laid on the picture.
+    fn light(&mut self, group: &Group, opacity: f64, mask: Option<&Mask>) {
+        let Some(([x, y], mut layer)) = self.layer(&group.items) else { return };
+        layer.items(&group.items, None);
+        let paint = PixmapPaint { opacity: single(DVec2::splat(opacity.clamp(0.0, 1.0))).0, ..PixmapPaint::default() };
+        self.pixels.draw_pixmap(x, y, layer.pixels.as_ref(), &paint, Transform::identity(), mask);
+    }
+
+    /// An empty canvas that just holds some items, and its place on this one; `None` where nothing is seen of them.
+    fn layer(&self, items: &[Item]) -> Option<([i32; 2], Self)> {
+        let scale = f64::from(self.transform.sx);
+        let whole = DVec2::new(f64::from(self.pixels.width()), f64::from(self.pixels.height()));
+        let bounds = items.iter().filter_map(bounds).reduce(union)?;
+        let min = (bounds.min * scale - 2.0).floor().clamp(DVec2::ZERO, whole);
+        let size = (bounds.max * scale + 2.0).ceil().clamp(DVec2::ZERO, whole) - min;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers within the picture")]
+        let (at, pixels) = ([min.x as i32, min.y as i32], Pixmap::new(size.x as u32, size.y as u32)?);
+        let (x, y) = single(-min);
+        Some((at, Self { pixels, transform: self.transform.post_translate(x, y), mode: BlendMode::Screen }))
+    }
+
+    fn shape(&mut self, shape: &Shape, mask: Option<&Mask>) {
+        let Some(path) = skia_path(&shape.path) else { return };
+        if let Some(fill) = shape.fill {
+            let paint = self.paint(fill.color, fill.opacity);
+            self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+        }
+        if let Some(stroke) = &shape.stroke {
+            let paint = self.paint(stroke.color, stroke.opacity);
+            self.pixels.stroke_path(&path, &paint, &skia_stroke(stroke), self.transform, mask);
+        }
+    }
+
+    fn text(&mut self, text: &Text, mask: Option<&Mask>) {
+        let mut pen = PathBuilder::new();
+        for glyph in text.glyphs() {
+            draw_glyph(&mut pen, &text.font.outline(glyph.character), &glyph);
+        }
+        let Some(path) = pen.finish() else { return };
+        let paint = self.paint(text.color, 1.0);
+        self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+    }
+
+    fn paint(&self, color: Color, opacity: f64) -> Paint<'static> {
+        let Color([r, g, b]) = color;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to a byte's range")]
+        let alpha = (opacity.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let mut paint = Paint { anti_alias: true, blend_mode: self.mode, ..Paint::default() };
+        paint.set_color_rgba8(r, g, b, alpha);
+        paint
+    }
+
+    /// A mask for a rectangle within what is already masked.
+    fn clip(&self, rect: &Rect, outer: Option<&Mask>) -> Option<Mask> {
+        let path = skia_path(&Path::rect(*rect))?;
+        if let Some(outer) = outer {
+            let mut mask = outer.clone();
+            mask.intersect_path(&path, FillRule::Winding, true, self.transform);
+            return Some(mask);
+        }
+        let mut mask = Mask::new(self.pixels.width(), self.pixels.height())?;
+        mask.fill_path(&path, FillRule::Winding, true, self.transform);
+        Some(mask)
+    }
+}
+
+fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &Glyph) {
+    let place = |p: DVec2| single(glyph.at + p * glyph.size);
+    for step in outline {
+        match *step {
+            GlyphStep::MoveTo(p) => pen.move_to(place(p).0, place(p).1),
+            GlyphStep::LineTo(p) => pen.line_to(place(p).0, place(p).1),
+            GlyphStep::QuadTo(c, p) => {
+                let (c, p) = (place(c), place(p));
+                pen.quad_to(c.0, c.1, p.0, p.1);
+            }
+            GlyphStep::CubicTo(c, d, p) => {
+                let (c, d, p) = (place(c), place(d), place(p));
+                pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
+            }
+            GlyphStep::Close => pen.close(),
+        }
+    }
+}
+
+/// `None` where the path is empty.
+fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
+    let mut pen = PathBuilder::new();
+    let mut last = DVec2::ZERO;
+    for step in path.steps() {
+        match *step {
+            PathStep::MoveTo(p) => {
+                let (x, y) = single(p);
+                pen.move_to(x, y);
+                last = p;
+            }
+            PathStep::LineTo(p) => {
+                let (x, y) = single(p);
+                pen.line_to(x, y);
+                last = p;
+            }
+            PathStep::ArcTo { radius, large, sweep, to } => {
+                draw_arc(&mut pen, last, radius, [large, sweep], to);
+                last = to;
+            }
+            PathStep::Close => pen.close(),
+        }
+    }
+    pen.finish()
+}
+
+fn draw_arc(pen: &mut PathBuilder, from: DVec2, radius: f64, [large_arc, sweep]: [bool; 2], to: DVec2) {
+    let point = |p: DVec2| Point::new(p.x, p.y);
+    let radii = Vec2::new(radius, radius);
+    let arc = SvgArc { from: point(from), to: point(to), radii, x_rotation: 0.0, large_arc, sweep };
+    let Some(arc) = Arc::from_svg_arc(&arc) else {
+        let (x, y) = single(to);
+        return pen.line_to(x, y);
+    };
+    let single = |p: Point| single(DVec2::new(p.x, p.y));
+    arc.to_cubic_beziers(ARC_TOLERANCE, |c, d, p| {
+        let (c, d, p) = (single(c), single(d), single(p));
+        pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
+    });
+}
+
+fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
+    let dash: Vec<f32> = stroke.dash.iter().map(|length| single(DVec2::splat(*length)).0).collect();
+    tiny_skia::Stroke {
+        width: single(DVec2::splat(stroke.width)).0,
+        line_cap: match stroke.cap {
+            Cap::Butt => LineCap::Butt,
+            Cap::Round => LineCap::Round,
+        },
+        line_join: LineJoin::Round,
+        dash: StrokeDash::new(dash, 0.0),
+        ..tiny_skia::Stroke::default()
+    }
+}
+
+/// The part of the figure that an item may touch, pixels; `None` for nothing.
+fn bounds(item: &Item) -> Option<Rect> {
+    match item {
+        Item::Shape(shape) => {
+            let bounds = skia_path(&shape.path)?.bounds();
+            let point = |x: f32, y: f32| DVec2::new(f64::from(x), f64::from(y));
+            let rect = Rect { min: point(bounds.left(), bounds.top()), max: point(bounds.right(), bounds.bottom()) };
+            Some(rect.grown(shape.stroke.as_ref().map_or(0.0, |stroke| stroke.width)))
+        }
+        Item::Text(text) => Some(text.bounds().grown(text.size)),
+        Item::Group(group) => group.items.iter().filter_map(bounds).reduce(union),
+    }
+}
+
+fn union(a: Rect, b: Rect) -> Rect {
+    Rect { min: a.min.min(b.min), max: a.max.max(b.max) }
+}
+
+/// A point in tiny-skia's precision.
+#[allow(clippy::cast_possible_truncation, reason = "pixel coordinates; a float holds a hundredth of a pixel")]
+fn single(p: DVec2) -> (f32, f32) {
+    (p.x as f32, p.y as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawing(items: Vec<Item>) -> Drawing {
+        let background = Some(Color::hex(0xff_ff_ff));
+        Drawing { size: [60, 40], background, title: String::new(), description: String::new(), items }
+    }
+
+    fn darkest(drawing: &Drawing, scale: f32) -> u8 {
+        let picture = Pixmap::decode_png(&png(drawing, scale).unwrap()).unwrap();
+        picture.pixels().iter().map(|pixel| pixel.green()).min().unwrap()
+    }
+
+    #[test]
+    fn text_leaves_pixels_even_without_a_glyph() {
+        for words in ["H", "漢"] {
+            let text = Text::new(words, DVec2::new(10.0, 30.0), 20.0, Color::hex(0));
+            assert!(darkest(&drawing(vec![text.into()]), 2.0) < 10, "{words}");
+        }
+    }
+
+    #[test]
+    fn lights_add_up_and_leave_what_is_behind() {
+        let line = |y: f64, color: u32| {
+            let path = Path::line(DVec2::new(10.0, y), DVec2::new(50.0, y));
+            Item::from(Shape::stroked(path, Stroke::solid(Color::hex(color), 6.0), ""))
+        };
+        let lights = vec![line(18.0, 0xff_00_00), line(18.0, 0x00_ff_00), line(22.0, 0x00_00_ff)];
+        let pixel = |opacity: f64, y: u32| {
+            let group = Group::layer("", lights.clone()).of_light(opacity);
+            let mut drawing = drawing(vec![group.into()]);
+            drawing.background = Some(Color::hex(0x00_00_40));
+            let picture = Pixmap::decode_png(&png(&drawing, 1.0).unwrap()).unwrap();
+            let pixel = picture.pixel(30, y).unwrap();
+            [pixel.red(), pixel.green(), pixel.blue()]
+        };
+        assert_eq!(pixel(1.0, 16), [255, 255, 0], "not the ground's blue");
+        assert_eq!(pixel(1.0, 20), [255, 255, 255]);
+        assert_eq!(pixel(1.0, 5), [0, 0, 0x40]);
+        let half = pixel(0.5, 16);
+        assert!(half[0].abs_diff(128) < 2 && half[2].abs_diff(32) < 2, "{half:?}");
+    }
+
+    #[test]
+    fn a_clip_hides_what_is_outside() {
+        let line = Path::line(DVec2::new(0.0, 20.0), DVec2::new(60.0, 20.0));
+        let shape = Shape::stroked(line, Stroke::solid(Color::hex(0), 3.0), "");
+        let clip = Rect { min: DVec2::new(0.0, 30.0), max: DVec2::new(60.0, 40.0) };
+        let group = crate::drawing::Group::layer("", vec![shape.into()]).clipped(clip);
+        assert_eq!(darkest(&drawing(vec![group.into()]), 1.0), 255);
+    }
+
+    #[test]
+    fn impossible_sizes_are_refused() {
+        let small = drawing(Vec::new());
+        assert_eq!(png(&small, 0.0), Err(RenderError::Scale(0.0)));
+        assert!(matches!(png(&small, f32::NAN), Err(RenderError::Scale(_))));
+        assert!(matches!(png(&small, 1e-9), Err(RenderError::Size { .. })));
+        assert!(matches!(png(&small, 1e9), Err(RenderError::Size { .. })));
+        let huge = Drawing { size: [u32::MAX; 2], ..small };
+        assert!(matches!(png(&huge, 1.0), Err(RenderError::Size { .. })));
+    }
+}

@@ -1,0 +1,276 @@
+//! SVG 1.1 with presentation attributes only, so that every viewer and editor shows the same figure; but for lights that
+//! add up, which only CSS can say: a viewer that does not know `mix-blend-mode` paints them over each other.
+//!
+//! Text stays text. Subscripts move by `dy`, because `baseline-shift` is not known everywhere.
+
+use std::fmt::Write;
+
+use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
+use crate::drawing::{pixel, shortest};
+
+/// The figure as an SVG document; the same figure gives the same bytes.
+#[must_use]
+pub fn svg(drawing: &Drawing) -> String {
+    let [width, height] = drawing.size;
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
+         font-family=\"DejaVu Sans, sans-serif\">\n"
+    );
+    element(&mut out, "title", &drawing.title);
+    element(&mut out, "desc", &drawing.description);
+    let mut clips = Vec::new();
+    collect_clips(&drawing.items, &mut clips);
+    define_clips(&mut out, &clips);
+    if let Some(color) = drawing.background {
+        line(&mut out, format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>", color.css()));
+    }
+    drawing.items.iter().for_each(|item| write_item(&mut out, item, false));
+    out.push_str("</svg>\n");
+    out
+}
+
+/// `screened` items add up as lights do.
+fn write_item(out: &mut String, item: &Item, screened: bool) {
+    match item {
+        Item::Shape(shape) => write_shape(out, shape, screened),
+        Item::Text(text) => write_text(out, text),
+        Item::Group(group) => write_group(out, group),
+    }
+}
+
+fn write_group(out: &mut String, group: &Group) {
+    out.push_str("<g");
+    attributes(out, &group.class, &group.data);
+    if let Some(opacity) = group.light {
+        out.push_str(" style=\"isolation:isolate\"");
+        if opacity < 1.0 {
+            push(out, format_args!(" opacity=\"{}\"", pixel(opacity)));
+        }
+    }
+    if let Some(clip) = &group.clip {
+        push(out, format_args!(" clip-path=\"url(#{})\"", clip_id(clip)));
+    }
+    out.push_str(">\n");
+    group.items.iter().for_each(|item| write_item(out, item, group.light.is_some()));
+    out.push_str("</g>\n");
+}
+
+fn write_shape(out: &mut String, shape: &Shape, screened: bool) {
+    if shape.path.is_empty() {
+        return;
+    }
+    out.push_str("<path");
+    attributes(out, &shape.class, &shape.data);
+    push(out, format_args!(" d=\"{}\"", path_data(&shape.path)));
+    write_fill(out, shape.fill);
+    if let Some(stroke) = &shape.stroke {
+        write_stroke(out, stroke);
+    }
+    if screened {
+        out.push_str(" style=\"mix-blend-mode:screen\"");
+    }
+    out.push_str("/>\n");
+}
+
+fn write_fill(out: &mut String, fill: Option<Fill>) {
+    let Some(Fill { color, opacity }) = fill else {
+        out.push_str(" fill=\"none\"");
+        return;
+    };
+    push(out, format_args!(" fill=\"{}\"", color.css()));
+    if opacity < 1.0 {
+        push(out, format_args!(" fill-opacity=\"{}\"", pixel(opacity)));
+    }
+}
+
+fn write_stroke(out: &mut String, stroke: &Stroke) {
+    push(out, format_args!(" stroke=\"{}\" stroke-width=\"{}\"", stroke.color.css(), pixel(stroke.width)));
+    if stroke.opacity < 1.0 {
+        push(out, format_args!(" stroke-opacity=\"{}\"", pixel(stroke.opacity)));
+    }
+    if !stroke.dash.is_empty() {
+        let dash: Vec<String> = stroke.dash.iter().map(|length| shortest(pixel(*length))).collect();
+        push(out, format_args!(" stroke-dasharray=\"{}\"", dash.join(" ")));
+    }
+    if stroke.cap == Cap::Round {
+        out.push_str(" stroke-linecap=\"round\"");
+    }
+    out.push_str(" stroke-linejoin=\"round\"");
+}
+
+fn path_data(path: &Path) -> String {
+    let mut data = String::new();
+    for step in path.steps() {
+        match *step {
+            PathStep::MoveTo(p) => push(&mut data, format_args!("M{} {}", p.x, p.y)),
+            PathStep::LineTo(p) => push(&mut data, format_args!("L{} {}", p.x, p.y)),
+            PathStep::ArcTo { radius: r, large, sweep, to } => {
+                let (large, sweep) = (u8::from(large), u8::from(sweep));
+                push(&mut data, format_args!("A{r} {r} 0 {large} {sweep} {} {}", to.x, to.y));
+            }
+            PathStep::Close => data.push('Z'),
+        }
+    }
+    data
+}
+
+fn write_text(out: &mut String, text: &Text) {
+    push(out, format_args!("<text x=\"{}\" y=\"{}\"", text.at.x, text.at.y));
+    attributes(out, &text.class, &[]);
+    push(out, format_args!(" font-size=\"{}\" fill=\"{}\"", pixel(text.size), text.color.css()));
+    match text.anchor {
+        Anchor::Start => {}
+        Anchor::Middle => out.push_str(" text-anchor=\"middle\""),
+        Anchor::End => out.push_str(" text-anchor=\"end\""),
+    }
+    match text.font {
+        Font::Regular => {}
+        Font::Bold => out.push_str(" font-weight=\"bold\""),
+        Font::Oblique => out.push_str(" font-style=\"italic\""),
+    }
+    out.push('>');
+    write_spans(out, text);
+    out.push_str("</text>\n");
+}
+
+/// Spans on the baseline are plain text; another script is a `tspan` that moves down, and the next one back up.
+fn write_spans(out: &mut String, text: &Text) {
+    let mut down = 0.0;
+    for span in &text.spans {
+        let step = pixel(text.drop(span) - down);
+        if step == 0.0 && down == 0.0 {
+            out.push_str(&escape(&span.text));
+            continue;
+        }
+        let size = pixel(text.span_size(span));
+        push(out, format_args!("<tspan dy=\"{step}\" font-size=\"{size}\">{}</tspan>", escape(&span.text)));
+        down += step;
+    }
+}
+
+fn element(out: &mut String, name: &str, content: &str) {
+    if !content.is_empty() {
+        line(out, format_args!("<{name}>{}</{name}>", escape(content)));
+    }
+}
+
+fn attributes(out: &mut String, class: &str, data: &[(&'static str, String)]) {
+    if !class.is_empty() {
+        push(out, format_args!(" class=\"{}\"", escape(class)));
+    }
+    for (name, value) in data {
+        push(out, format_args!(" {name}=\"{}\"", escape(value)));
+    }
+}
+
+fn collect_clips(items: &[Item], clips: &mut Vec<Rect>) {
+    for item in items {
+        if let Item::Group(group) = item {
+            clips.extend(group.clip.filter(|clip| !clips.contains(clip)));
+            collect_clips(&group.items, clips);
+        }
+    }
+}
+
+fn define_clips(out: &mut String, clips: &[Rect]) {
+    if clips.is_empty() {
+        return;
+    }
+    out.push_str("<defs>\n");
+    for clip in clips {
+        let (min, size) = (clip.min, clip.size());
+        let [x, y, width, height] = [min.x, min.y, size.x, size.y].map(pixel);
+        let id = clip_id(clip);
+        let rect = format_args!("<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/>");
+        line(out, format_args!("<clipPath id=\"{id}\">{rect}</clipPath>"));
+    }
+    out.push_str("</defs>\n");
+}
+
+/// A name made of the numbers, so that figures set into one page share an id only where the rectangles are equal.
+fn clip_id(clip: &Rect) -> String {
+    let [a, b, c, d] = [clip.min.x, clip.min.y, clip.max.x, clip.max.y].map(pixel);
+    format!("clip_{a}_{b}_{c}_{d}")
+}
+
+/// Text with XML's special characters replaced and those that XML forbids removed.
+fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\t' | '\n' | '\r' => out.push(' '),
+            '\u{fffe}' | '\u{ffff}' => {}
+            control if control.is_control() => {}
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+fn line(out: &mut String, content: std::fmt::Arguments<'_>) {
+    push(out, content);
+    out.push('\n');
+}
+
+fn push(out: &mut String, content: std::fmt::Arguments<'_>) {
+    // Writing to a string cannot fail.
+    let _always_ok = out.write_fmt(content);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::Color;
+    use glam::DVec2;
+
+    fn drawing(items: Vec<Item>) -> Drawing {
+        Drawing {
+            size: [100, 50],
+            background: None,
+            title: "a < b & \"c\"\u{1}".into(),
+            description: String::new(),
+            items,
+        }
+    }
+
+    #[test]
+    fn everything_is_escaped() {
+        let text = Text::new("<&>'\"\u{b}", DVec2::ZERO, 10.0, Color::hex(0));
+        let shape = Shape::stroked(Path::line(DVec2::ZERO, DVec2::X), Stroke::solid(Color::hex(0), 1.0), "x")
+            .with("data-body", "a\"b<\u{ffff}\n".into());
+        let out = svg(&drawing(vec![text.into(), shape.into()]));
+        let document = roxmltree::Document::parse(&out).unwrap();
+        let find = |name| document.descendants().find(|node| node.has_tag_name(name)).unwrap();
+        assert_eq!(find("title").text(), Some("a < b & \"c\""));
+        assert_eq!(find("text").text(), Some("<&>'\""));
+        assert_eq!(find("path").attribute("data-body"), Some("a\"b< "));
+    }
+
+    #[test]
+    fn arcs_stay_arcs() {
+        let path = Path::circle(DVec2::new(10.0, 10.0), 4.0);
+        assert_eq!(path_data(&path), "M6 10A4 4 0 0 1 14 10A4 4 0 0 1 6 10Z");
+    }
+
+    #[test]
+    fn a_subscript_returns_to_the_baseline() {
+        let mut text = Text::new("θ", DVec2::ZERO, 10.0, Color::hex(0)).subscript("1");
+        text.spans.push(crate::drawing::Span { text: " = 30°".into(), script: crate::drawing::Script::Normal });
+        let out = svg(&drawing(vec![text.into()]));
+        assert!(out.contains("θ<tspan dy=\"2\" font-size=\"7.2\">1</tspan><tspan dy=\"-2\" font-size=\"10\"> = 30°"));
+    }
+
+    #[test]
+    fn equal_clips_are_defined_once() {
+        let clip = Rect { min: DVec2::ZERO, max: DVec2::new(10.0, 5.0) };
+        let group = || Item::from(Group::layer("g", Vec::new()).clipped(clip));
+        let out = svg(&drawing(vec![group(), group()]));
+        assert_eq!(out.matches("<clipPath").count(), 1);
+        assert_eq!(out.matches("url(#clip_0_0_10_5)").count(), 2);
+    }
+}

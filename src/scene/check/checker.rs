@@ -1,0 +1,122 @@
+use glam::DVec2;
+
+use crate::scene::{MAX_LENGTH, MIN_LENGTH, Problem};
+
+/// Collects problems; the methods tell whether a value passed.
+#[derive(Debug, Default)]
+pub(super) struct Checker {
+    pub(super) problems: Vec<Problem>,
+}
+
+impl Checker {
+    /// Notes an error unless `ok`, and returns `ok`.
+    pub(super) fn require(&mut self, ok: bool, problem: impl FnOnce() -> Problem) -> bool {
+        if !ok {
+            self.problems.push(problem());
+        }
+        ok
+    }
+
+    /// A finite number.
+    pub(super) fn finite(&mut self, path: &str, what: &str, value: f64) -> bool {
+        self.require(value.is_finite(), || {
+            Problem::error(
+                path,
+                format!("{what} must be a finite number, not {}", show(value)),
+                "write a finite number",
+            )
+            .label("not finite")
+        })
+    }
+
+    /// A coordinate or a length of either sign.
+    pub(super) fn coordinate(&mut self, path: &str, what: &str, value: f64) -> bool {
+        self.finite(path, what, value) && self.require(value.abs() <= MAX_LENGTH, || too_far(path, what, value))
+    }
+
+    /// A point whose coordinates can be computed with.
+    pub(super) fn point(&mut self, path: &str, what: &str, point: DVec2) -> bool {
+        self.coordinate(&format!("{path}[0]"), &format!("the x of {what}"), point.x)
+            & self.coordinate(&format!("{path}[1]"), &format!("the y of {what}"), point.y)
+    }
+
+    /// A length above 0.
+    pub(super) fn length(&mut self, path: &str, what: &str, value: f64) -> bool {
+        self.coordinate(path, what, value) && self.require(value >= MIN_LENGTH, || not_positive(path, what, value))
+    }
+
+    /// A number within bounds, both included.
+    pub(super) fn within(&mut self, path: &str, what: &str, value: f64, bounds: [f64; 2]) -> bool {
+        self.require((bounds[0]..=bounds[1]).contains(&value), || {
+            let [low, high] = bounds.map(show);
+            let message = format!("{what} must lie between {low} and {high}, not be {}", show(value));
+            Problem::error(path, message, format!("write a number from {low} to {high}")).label("out of range")
+        })
+    }
+
+    /// A count within bounds, both included.
+    pub(super) fn count(&mut self, path: &str, what: &str, value: u64, bounds: [u64; 2]) -> bool {
+        let [low, high] = bounds;
+        let count = |message: String| {
+            Problem::error(path, message, format!("write a whole number from {low} to {high}")).label("out of range")
+        };
+        self.require(value >= low, || count(format!("{what} must be at least {low}, not {value}")))
+            && self.require(value <= high, || count(format!("{what} must be at most {high}, not {value}")))
+    }
+
+    /// How many entries a list has, within bounds, both included.
+    pub(super) fn size(&mut self, path: &str, owner: &str, what: &str, size: usize, bounds: [usize; 2]) -> bool {
+        let [low, high] = bounds;
+        self.require(size >= low, || {
+            let message = match size {
+                0 => format!("{owner} needs {what}, but has none"),
+                _ => format!("{owner} needs at least {low} {what}, but has {size}"),
+            };
+            Problem::error(path, message, format!("write {low} or more {what}")).label("too few")
+        }) && self.require(size <= high, || {
+            let message = format!("{owner} may have {high} {what}, but has {size}");
+            Problem::error(path, message, format!("write at most {high} {what}")).label("too many")
+        })
+    }
+}
+
+fn too_far(path: &str, what: &str, value: f64) -> Problem {
+    let message = format!("{what} is {}, too large to compute with", show(value));
+    Problem::error(path, message, format!("stay within ±{}", show(MAX_LENGTH))).label("too large")
+}
+
+fn not_positive(path: &str, what: &str, value: f64) -> Problem {
+    if value > 0.0 {
+        let message = format!("{what} is {}, too small to compute with", show(value));
+        return Problem::error(path, message, format!("write at least {}", show(MIN_LENGTH))).label("too small");
+    }
+    let message = format!("{what} must be above 0, not {}", show(value));
+    Problem::error(path, message, "write a positive length, in the unit of all lengths").label("not above 0")
+}
+
+/// A number for people: shortest form, with an exponent where it would be long.
+pub(super) fn show(value: f64) -> String {
+    let size = value.abs();
+    let plain = size == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&size);
+    if plain { format!("{}", value + 0.0) } else { format!("{value:e}") }
+}
+
+/// A computed number for people, to six digits.
+pub(super) fn show_rounded(value: f64) -> String {
+    show(rounded(value))
+}
+
+/// A number of at most seven digits that is not below `value` and close to it.
+pub(super) fn show_at_least(value: f64) -> String {
+    let near = rounded(value);
+    show(if near < value { rounded(near + 1e-5 * near.abs()) } else { near })
+}
+
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// A point for people.
+pub(super) fn show_point(p: DVec2) -> String {
+    format!("({}, {})", show(p.x), show(p.y))
+}

@@ -1,0 +1,151 @@
+use std::collections::HashSet;
+
+use glam::DVec2;
+
+use super::checker::{Checker, show};
+use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Source, Spectrum};
+
+/// One source by itself.
+pub(super) fn check_source(c: &mut Checker, path: &str, source: &Source) {
+    check_light(c, &format!("{path}.light"), &source.light);
+    check_spectrum(c, &format!("{path}.spectrum"), &source.spectrum);
+    let power = format!("{path}.power");
+    if c.finite(&power, "the power", source.power) {
+        c.require(source.power > 0.0, || {
+            let message = format!("the power must be above 0, not {}", show(source.power));
+            Problem::error(&power, message, "write a positive number; the whole source has this power")
+                .label("no light")
+        });
+        c.within(&power, "the power", source.power.max(1e-100), [1e-100, 1e100]);
+    }
+}
+
+fn check_light(c: &mut Checker, path: &str, light: &Light) {
+    let at = |name: &str| format!("{path}.{name}");
+    match light {
+        Light::Ray { from, direction } => check_start(c, path, "from", *from, direction),
+        Light::Beam { center, direction, width, rays } => {
+            check_start(c, path, "center", *center, direction);
+            if c.coordinate(&at("width"), "the width", *width) {
+                c.require(*width >= 0.0, || {
+                    let message = format!("the width must not be negative, but is {}", show(*width));
+                    Problem::error(at("width"), message, "write the distance between the outermost rays")
+                        .label("negative")
+                });
+            }
+            check_rays(c, path, *rays);
+        }
+        Light::Fan { from, direction, spread, rays } => {
+            check_start(c, path, "from", *from, direction);
+            check_spread(c, &at("spread"), *spread, *rays);
+            check_rays(c, path, *rays);
+        }
+        Light::Point { at: start, rays } => {
+            c.point(&at("at"), "the start", *start);
+            check_rays(c, path, *rays);
+        }
+    }
+}
+
+fn check_start(c: &mut Checker, path: &str, name: &str, start: DVec2, direction: &Direction) {
+    c.point(&format!("{path}.{name}"), "the start", start);
+    match direction {
+        Direction::Angle(degrees) => {
+            c.finite(&format!("{path}.direction.degrees"), "the angle", *degrees);
+        }
+        Direction::Towards(point) => {
+            let target = format!("{path}.direction.point");
+            c.point(&target, "the target", *point);
+            c.require(*point != start, || {
+                let message = "the ray is to head towards its own start";
+                Problem::error(&target, message, format!("write a point other than `{name}`, or use `Angle(…)`"))
+                    .label("the start itself")
+            });
+        }
+    }
+}
+
+fn check_rays(c: &mut Checker, path: &str, rays: u32) {
+    c.count(&format!("{path}.rays"), "the number of rays", u64::from(rays), [1, MAX_RAYS]);
+}
+
+fn check_spread(c: &mut Checker, path: &str, spread: f64, rays: u32) {
+    if !c.finite(path, "the spread", spread) {
+        return;
+    }
+    c.require(spread >= 0.0, || {
+        let message = format!("the spread must not be negative, but is {}°", show(spread));
+        Problem::error(path, message, "write the full angle of the fan in degrees").label("negative")
+    });
+    c.require(spread < 360.0, || {
+        let message = format!("a fan of {}° goes all the way round, and its first and last ray coincide", show(spread));
+        Problem::error(path, message, format!("use `Point(at: …, rays: {rays})`, or a spread below 360"))
+            .label("360° or more")
+    });
+}
+
+fn check_spectrum(c: &mut Checker, path: &str, spectrum: &Spectrum) {
+    match spectrum {
+        Spectrum::Line(nm) => drop(check_line(c, &format!("{path}.nm"), *nm)),
+        Spectrum::Lines(lines) => check_lines(c, &format!("{path}.nm"), lines),
+        Spectrum::White { samples } => {
+            c.count(&format!("{path}.samples"), "the number of samples", u64::from(*samples), [1, MAX_LINES as u64]);
+        }
+    }
+}
+
+fn check_lines(c: &mut Checker, path: &str, lines: &[f64]) {
+    if !c.size(path, "a spectrum", "lines", lines.len(), [1, MAX_LINES]) {
+        return;
+    }
+    let mut seen = HashSet::new();
+    for (k, nm) in lines.iter().enumerate() {
+        let at = format!("{path}[{k}]");
+        if check_line(c, &at, *nm) {
+            c.require(seen.insert(nm.to_bits()), || {
+                let message = format!("the line at {} nm is given twice", show(*nm));
+                Problem::error(&at, message, "write every wavelength once").label("second time")
+            });
+        }
+    }
+}
+
+fn check_line(c: &mut Checker, path: &str, nm: f64) -> bool {
+    c.finite(path, "the wavelength", nm)
+        && c.require(nm > 0.0, || {
+            let message = format!("a wavelength must be above 0 nm, not {}", show(nm));
+            Problem::error(path, message, "write a vacuum wavelength in nanometres; visible light has 380 to 780")
+                .label("not a wavelength")
+        })
+}
+
+/// The rays of all sources together, before any memory is taken for them.
+pub(super) fn check_ray_total(c: &mut Checker, sources: &[Source]) {
+    let mut total: u64 = 0;
+    for (k, source) in sources.iter().enumerate() {
+        let before = total;
+        total = total.saturating_add(rays(&source.light).saturating_mul(lines(&source.spectrum)));
+        if before <= MAX_RAYS && total > MAX_RAYS {
+            let message = format!(
+                "the scene has {total} rays so far, each counted once per line; at most {MAX_RAYS} are allowed"
+            );
+            let help = "lower `rays` or the number of spectral lines";
+            c.problems.push(Problem::error(format!("sources[{k}].light"), message, help).label("too many"));
+        }
+    }
+}
+
+fn rays(light: &Light) -> u64 {
+    match light {
+        Light::Ray { .. } => 1,
+        Light::Beam { rays, .. } | Light::Fan { rays, .. } | Light::Point { rays, .. } => u64::from(*rays),
+    }
+}
+
+fn lines(spectrum: &Spectrum) -> u64 {
+    match spectrum {
+        Spectrum::Line(_) => 1,
+        Spectrum::Lines(lines) => lines.len() as u64,
+        Spectrum::White { samples } => u64::from(*samples),
+    }
+}

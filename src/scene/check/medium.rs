@@ -1,0 +1,85 @@
+use std::collections::HashSet;
+
+use super::checker::{Checker, show, show_rounded};
+use crate::light::Wavelength;
+use crate::media::{Dispersion, MediumError};
+use crate::scene::{MAX_LINES, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
+
+/// A medium's own numbers, or its name in the catalog; indices over the spectrum are checked with the sources.
+pub(super) fn check_medium(c: &mut Checker, path: &str, medium: &Medium) {
+    if let Err(problem) = medium.dispersion() {
+        let path = if problem.path.is_empty() { path.to_owned() } else { format!("{path}.{}", problem.path) };
+        c.problems.push(Problem { path, ..problem });
+    }
+}
+
+/// Every line of every source has an index in every medium.
+pub(super) fn check_wavelengths(c: &mut Checker, scene: &Scene) {
+    let media = dispersive_media(scene);
+    for (k, source) in scene.sources.iter().enumerate() {
+        let path = format!("sources[{k}].spectrum");
+        for (owner, medium, dispersion) in &media {
+            c.problems.extend(first_fault(&path, source, owner, medium, dispersion));
+        }
+    }
+}
+
+/// The problem at the first line for which a medium has no index.
+fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, dispersion: &Dispersion) -> Option<Problem> {
+    if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
+        return None;
+    }
+    let mut lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometres);
+    let error = lines.find_map(|line| dispersion.check(line).err())?;
+    let name = match medium {
+        Medium::Catalog(name) => format!("`{name}`"),
+        _ => "the medium".to_owned(),
+    };
+    Some(match error {
+        MediumError::OutOfRange { wavelength, range: (from, to), .. } => {
+            let (wavelength, from, to) = (show(wavelength), show(from), show(to));
+            let message = format!("{name} of `{owner}` is known from {from} to {to} nm, not at {wavelength} nm");
+            let help = format!("choose wavelengths from {from} to {to} nm, or another medium");
+            Problem::error(path, message, help).label("outside the medium's range")
+        }
+        MediumError::BelowOne { wavelength, index } => {
+            let (wavelength, index) = (show(wavelength), show_rounded(index));
+            let message = format!(
+                "{name} of `{owner}` has the index {index} at {wavelength} nm, below 1: faster than light in vacuum"
+            );
+            Problem::error(owner, message, "correct the coefficients; λ counts in micrometres in them").label("below 1")
+        }
+        other => {
+            let message = format!("{name} of `{owner}` has no index for this light: {other}");
+            Problem::error(owner, message, "correct the coefficients; λ counts in micrometres in them")
+                .label("no index")
+        }
+    })
+}
+
+/// Media whose index depends on the wavelength, once each, with the path of where they are first used.
+fn dispersive_media<'a>(scene: &'a Scene) -> Vec<(String, &'a Medium, Dispersion)> {
+    let mut media = Vec::new();
+    let mut known = HashSet::new();
+    let mut add = |path: String, medium: &'a Medium| {
+        let constant = matches!(medium, Medium::Index(_) | Medium::Speed(_));
+        if constant || !known.insert(format!("{medium:?}")) {
+            return;
+        }
+        if let Ok(dispersion) = medium.dispersion() {
+            media.push((path, medium, dispersion));
+        }
+    };
+    add("surroundings".to_owned(), &scene.surroundings);
+    for (k, body) in scene.bodies.iter().enumerate() {
+        if let Substance::Medium(medium) = &body.substance {
+            add(format!("bodies[{k}].medium"), medium);
+        }
+        if let Shape::LensGroup { surfaces, .. } = &body.shape {
+            for (j, medium) in surfaces.iter().enumerate().filter_map(|(j, s)| Some((j, s.medium.as_ref()?))) {
+                add(format!("bodies[{k}].shape.surfaces[{j}].medium"), medium);
+            }
+        }
+    }
+    media
+}

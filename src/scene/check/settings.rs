@@ -1,0 +1,47 @@
+use super::body::check_shares;
+use super::checker::{Checker, show, show_point};
+use crate::scene::{
+    DiagramSettings, MAX_PIXELS, MAX_SEGMENTS, MIN_PIXELS, Problem, SecondaryRays, TraceSettings, View,
+};
+
+/// How far rays are followed.
+pub(super) fn check_trace(c: &mut Checker, trace: &TraceSettings) {
+    if let SecondaryRays::Fixed { kr, kt } = trace.secondary_rays {
+        let path = "trace.secondary_rays";
+        check_shares(c, path, [format!("{path}.kr"), format!("{path}.kt")], [kr, kt], ["`kr`", "`kt`"]);
+    }
+    c.count("trace.max_depth", "`max_depth`", u64::from(trace.max_depth), [1, u64::from(u32::MAX)]);
+    c.count("trace.max_segments", "`max_segments`", trace.max_segments, [1, MAX_SEGMENTS]);
+    check_fraction(c, "trace.min_power", "`min_power`", trace.min_power);
+}
+
+/// What the figure shows.
+pub(super) fn check_diagram(c: &mut Checker, diagram: &DiagramSettings) {
+    for (k, what) in ["the figure's width", "the figure's height"].into_iter().enumerate() {
+        let bounds = [u64::from(MIN_PIXELS), u64::from(MAX_PIXELS)];
+        c.count(&format!("diagram.size[{k}]"), what, u64::from(diagram.size[k]), bounds);
+    }
+    check_fraction(c, "diagram.faintest", "`faintest`", diagram.faintest);
+    if let View::Box(first, second) = diagram.view {
+        let path = "diagram.view";
+        let sound = c.point(&format!("{path}.corners[0]"), "the first corner", first)
+            & c.point(&format!("{path}.corners[1]"), "the second corner", second);
+        c.require(!sound || (second - first).abs().min_element() > 0.0, || {
+            let (first, second) = (show_point(first), show_point(second));
+            let message = format!("the box from {first} to {second} has no area");
+            Problem::error(path, message, "write two opposite corners: `Box((-50, -30), (50, 30))`").label("no area")
+        });
+    }
+}
+
+/// A share of a power that may be 0 and is below 1.
+fn check_fraction(c: &mut Checker, path: &str, what: &str, value: f64) {
+    c.require((0.0..1.0).contains(&value), || {
+        let message = format!(
+            "{what} is a share of the starting power from 0 up to, but not including, 1; here it is {}",
+            show(value)
+        );
+        Problem::error(path, message, "write a number such as `0.001`, or `0` to keep every branch")
+            .label("out of range")
+    });
+}

@@ -1,0 +1,156 @@
+//! Numbers, texts, switches and points.
+
+use glam::DVec2;
+
+use super::node::{Kind, Node};
+use super::reader::{Read, Reader};
+
+/// A number that may be infinite.
+#[derive(Clone, Copy)]
+pub(super) struct MaybeInfinite(pub(super) f64);
+
+impl Read for MaybeInfinite {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let Some(value) = (node.kind() == Kind::Number).then(|| node.plain::<f64>()).flatten() else {
+            let help = "write a number such as `1.5` or `2e-3`, without a unit and without quotes";
+            r.expected(node, "a number", help);
+            return None;
+        };
+        if value.is_nan() {
+            r.refuse(node, "`NaN` is not a number", "not a number", "write a finite number");
+            return None;
+        }
+        if value.is_infinite() && !node.text().contains("inf") {
+            let message = format!("`{}` is too large for a number", node.text());
+            r.refuse(node, message, "too large", "write a number below 1.7e308");
+            return None;
+        }
+        Some(Self(value))
+    }
+
+    fn stand_in() -> Self {
+        Self(f64::NAN)
+    }
+}
+
+impl Read for f64 {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let MaybeInfinite(value) = MaybeInfinite::read(r, node)?;
+        if value.is_infinite() {
+            r.refuse(node, "an infinite number has no meaning here", "not finite", "write a finite number");
+            return None;
+        }
+        Some(value)
+    }
+
+    fn stand_in() -> Self {
+        Self::NAN
+    }
+}
+
+/// Counts may be written with an exponent, as in `1e6`.
+impl Read for u64 {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        if node.kind() != Kind::Number {
+            r.expected(node, "a whole number", "write a whole number such as `8`");
+            return None;
+        }
+        let value = node.plain().or_else(|| whole(node.plain()?));
+        if value.is_none() {
+            let help = "write a whole number such as `8`, not negative and at most 2^53";
+            r.refuse(node, format!("`{}` is not a count", node.text()), "not a whole number", help);
+        }
+        value
+    }
+
+    fn stand_in() -> Self {
+        0
+    }
+}
+
+/// A count that is at most `MOST`, as far as reading must tell: one that fits is left to the check of the scene.
+pub(super) struct UpTo<const MOST: u64>(pub(super) u32);
+
+impl<const MOST: u64> Read for UpTo<MOST> {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let value = u32::try_from(u64::read(r, node)?).ok();
+        if value.is_none() {
+            let message = format!("`{}` is more than the {MOST} allowed", node.text());
+            r.refuse(node, message, "too many", format!("write at most {MOST}"));
+        }
+        value.map(Self)
+    }
+
+    fn stand_in() -> Self {
+        Self(0)
+    }
+}
+
+/// A float that is a whole number which it holds exactly.
+fn whole(value: f64) -> Option<u64> {
+    let exact = value.fract() == 0.0 && (0.0..=9_007_199_254_740_992.0).contains(&value);
+    // Through text, which keeps clear of a lossy cast.
+    if exact { format!("{value:.0}").parse().ok() } else { None }
+}
+
+impl Read for String {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let text = node.plain();
+        if text.is_none() {
+            r.expected(node, "text in quotes", "put the text in double quotes: `\"…\"`");
+        }
+        text
+    }
+
+    fn stand_in() -> Self {
+        Self::new()
+    }
+}
+
+impl Read for bool {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let switch = node.plain();
+        if switch.is_none() {
+            r.expected(node, "`true` or `false`", "write `true` or `false`, without quotes");
+        }
+        switch
+    }
+
+    fn stand_in() -> Self {
+        false
+    }
+}
+
+impl Read for DVec2 {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let help = "write a point as two numbers in parentheses: `(3, 4)`";
+        r.pair::<f64>(node, "a point `(x, y)`", help).map(Self::from)
+    }
+
+    fn stand_in() -> Self {
+        Self::NAN
+    }
+}
+
+/// Points; the quick way first, one by one where one of them is at fault.
+impl Read for Vec<DVec2> {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let quick = node.plain::<Vec<(f64, f64)>>().unwrap_or_default();
+        let points: Self = quick.into_iter().map(DVec2::from).collect();
+        if points.is_empty() || !points.iter().all(|p| p.is_finite()) { r.each(node, "points") } else { Some(points) }
+    }
+
+    fn stand_in() -> Self {
+        Self::new()
+    }
+}
+
+impl Read for Vec<f64> {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        r.each(node, "numbers")
+    }
+
+    fn stand_in() -> Self {
+        Self::new()
+    }
+}

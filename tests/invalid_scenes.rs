@@ -1,0 +1,165 @@
+//! Every scene in `tests/invalid` is refused with the words in `snapshots/invalid`: place, fault and cure.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use snellius::scene::{Problem, Scene, Severity, load, render_problems, text_of};
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+fn files(name: &str, extension: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder(name)).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == extension)).collect();
+    files.sort();
+    files
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().unwrap().to_str().unwrap().to_owned()
+}
+
+fn problems(text: &str) -> Vec<Problem> {
+    match load(text) {
+        Ok(loaded) => loaded.warnings,
+        Err(problems) => problems,
+    }
+}
+
+#[test]
+fn every_invalid_scene_is_refused_in_these_words() {
+    for path in files("tests/invalid", "ron") {
+        let text = fs::read_to_string(&path).unwrap();
+        let name = stem(&path);
+        let shown = render_problems(&problems(&text), &text, &format!("{name}.ron"));
+        insta::with_settings!({
+            snapshot_path => folder("snapshots/invalid"),
+            prepend_module_to_snapshot => false,
+            omit_expression => true,
+        }, {
+            insta::assert_snapshot!(name, shown);
+        });
+    }
+}
+
+#[test]
+fn no_snapshot_is_left_without_its_scene() {
+    let scenes: BTreeSet<String> = files("tests/invalid", "ron").iter().map(|path| stem(path)).collect();
+    let snapshots: BTreeSet<String> = files("snapshots/invalid", "snap").iter().map(|path| stem(path)).collect();
+    assert_eq!(snapshots, scenes);
+}
+
+/// Words of the parser and of the machinery around it, which mean nothing to the author of a scene.
+const INNER_WORDS: [&str; 21] = [
+    "serde",
+    "RON",
+    "struct",
+    "enum",
+    "tuple",
+    "newtype",
+    "identifier",
+    " raw ",
+    "deserializ",
+    "visitor",
+    "f64",
+    "u32",
+    "u64",
+    "usize",
+    "EOF",
+    "variant",
+    "r#",
+    "recursion",
+    "Option",
+    "Vec",
+    "sequence",
+];
+
+#[test]
+fn every_message_has_place_fault_and_cure_in_plain_words() {
+    for path in files("tests/invalid", "ron") {
+        let text = fs::read_to_string(&path).unwrap();
+        let found = problems(&text);
+        assert!(found.iter().any(|problem| problem.severity == Severity::Error), "{path:?} has no error");
+        for problem in found {
+            let span = problem.span.clone().unwrap_or_else(|| panic!("{path:?} has no place: {problem:?}"));
+            assert!(text.get(span).is_some(), "{path:?}: {problem:?}");
+            assert!(problem.message.len() > 10 && problem.help.len() > 10, "{path:?}: {problem:?}");
+            let words = format!("{} {} {}", problem.message, problem.label, problem.help);
+            let inner: Vec<_> = INNER_WORDS.iter().filter(|word| words.contains(**word)).collect();
+            assert!(inner.is_empty(), "{path:?} says {inner:?}: {words}");
+        }
+    }
+}
+
+#[test]
+fn each_problem_begins_with_its_place() {
+    let text = "(\r\n    // é\r\n    bodies: [(shape: Disk(-1), medium: Index(0.5))],\r\n)\r\n";
+    let shown = render_problems(&problems(text), text, "a b.ron");
+    let places: Vec<&str> = shown.lines().filter(|line| line.starts_with("a b.ron:")).collect();
+    assert_eq!(places.len(), 2, "{shown}");
+    assert!(places[0].starts_with("a b.ron:3:27: error: "), "{shown}");
+    assert!(places[1].starts_with("a b.ron:3:46: error: "), "{shown}");
+}
+
+#[test]
+fn five_faults_are_five_problems_in_one_run() {
+    let text = r#"(
+        titel: "typo",
+        bodies: [
+            (name: "a", shape: Disk("4"), medium: Index(1.5)),
+            (name: "b", shape: Disk(4), medium: Index(0.5)),
+        ],
+        sources: [(light: Fan(from: (0, 0), direction: Angle(0), spread: 400, rays: 8), power: NaN)],
+    )"#;
+    let found = problems(text);
+    let paths: Vec<&str> = found.iter().map(|problem| problem.path.as_str()).collect();
+    let expected =
+        ["titel", "bodies[0].shape.radius", "bodies[1].medium.n", "sources[0].light.spread", "sources[0].power"];
+    assert_eq!(paths, expected);
+}
+
+#[test]
+fn long_and_deep_texts_are_refused_at_once() {
+    for text in ["(".repeat(1_000_000), "[".repeat(1_000_000), format!("(bodies: {}", "Some(".repeat(500_000))] {
+        assert_eq!(problems(&text).len(), 1);
+        assert!(problems(&text)[0].message.contains("nested"), "{:?}", problems(&text)[0].message);
+    }
+    let long = " ".repeat(100 << 20);
+    assert!(problems(&long)[0].message.contains("bytes"));
+}
+
+#[test]
+fn a_source_of_a_million_million_rays_is_refused_at_once() {
+    let text = "(sources: [(light: Point(at: (0, 0), rays: 1000000000000))])";
+    assert!(problems(text)[0].message.contains("1000000000000"), "{:?}", problems(text));
+}
+
+#[test]
+fn bytes_that_are_no_text_are_shown_where_they_begin() {
+    let shown = text_of(b"(\n  title: \"caf\xe9\",\n)", "latin1.ron").unwrap_err().to_string();
+    assert!(
+        shown.starts_with("latin1.ron:2:14: error: the file is not text in UTF-8\n2 |   title: \"caf\u{fffd}\",\n"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn a_library_user_sees_what_the_command_shows() {
+    let error = Scene::from_ron("(titel: \"t\")").unwrap_err();
+    assert_eq!(error.list().len(), 1);
+    assert!(error.to_string().starts_with("scene:1:2: error: a scene has no field `titel`\n"), "{error}");
+}
+
+#[test]
+fn a_scene_built_in_rust_is_checked_alike() {
+    let mut scene = Scene::from_ron("(bodies: [(shape: Disk(4), medium: Index(1.5))])").unwrap();
+    assert_eq!(scene.validate(), []);
+    scene.bodies[0].rotate = f64::NAN;
+    scene.diagram.size = [0, 9];
+    let paths: Vec<String> = scene.validate().into_iter().map(|problem| problem.path).collect();
+    assert_eq!(paths, ["bodies[0].rotate", "diagram.size[0]", "diagram.size[1]"]);
+}
