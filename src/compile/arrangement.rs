@@ -50,7 +50,8 @@ pub(crate) fn tolerance(reach: f64) -> f64 {
 /// Cuts the boundaries at their common points and merges what coincides.
 pub(crate) fn arrange(boundaries: &[Boundary]) -> Vec<Piece> {
     let mut arrangement = Arrangement::new(boundaries);
-    let pairs = near_pairs(boundaries, 0.0);
+    let boxes: Vec<_> = boundaries.iter().map(|b| Bounds::from(&b.curve).grown(2.0 * tolerance(b.reach))).collect();
+    let pairs = meeting(&boxes);
     for &(i, j) in &pairs {
         arrangement.join_ends(i, j);
     }
@@ -64,11 +65,9 @@ pub(crate) fn arrange(boundaries: &[Boundary]) -> Vec<Piece> {
     arrangement.pieces()
 }
 
-/// Pairs of boundaries, the earlier first, whose boxes come within `margin` (or their coincidence tolerance).
-pub(crate) fn near_pairs(boundaries: &[Boundary], margin: f64) -> Vec<(usize, usize)> {
-    let boxes: Vec<_> =
-        boundaries.iter().map(|b| Bounds::from(&b.curve).grown(margin.max(2.0 * tolerance(b.reach)))).collect();
-    let mut order: Vec<usize> = (0..boundaries.len()).collect();
+/// Pairs of boxes that share a point, the earlier first.
+pub(crate) fn meeting(boxes: &[Bounds]) -> Vec<(usize, usize)> {
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|&i, &j| boxes[i].min.x.total_cmp(&boxes[j].min.x));
     let mut pairs = Vec::new();
     for (place, &i) in order.iter().enumerate() {

@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use crate::compile::arrangement::{Boundary, near_pairs, tolerance};
-use crate::compile::interfaces::OutlineRole;
-use crate::geometry::Curve;
+use crate::compile::arrangement::meeting;
+use crate::geometry::{Bounds, Curve};
+use crate::system::Interface;
 
 /// The thinnest gap that a scene may mean: the shortest visible wavelength, 420 nm, with 1 unit = 1 mm.
 const THINNEST: f64 = 420e-6;
@@ -18,17 +18,16 @@ pub(crate) struct Gap {
     pub(crate) width: f64,
 }
 
-/// The thinnest gap of each pair of bodies, where it is thinner than light and yet no contact.
-pub(crate) fn gaps(boundaries: &[Boundary], outlines: &[OutlineRole]) -> Vec<Gap> {
+/// The thinnest gap of each pair of bodies, where it is thinner than light and yet no contact. What a later body covers
+/// is no boundary any more and makes no gap. Distances below `near` are rounding.
+pub(crate) fn gaps(interfaces: &[Interface], near: f64) -> Vec<Gap> {
     let mut found: Vec<Gap> = Vec::new();
-    for (i, j) in near_pairs(boundaries, THINNEST) {
-        let (first, second) = (&boundaries[i], &boundaries[j]);
-        let (earlier, later) = (outlines[first.outline].body, outlines[second.outline].body);
-        let contact = tolerance(first.reach.max(second.reach));
-        let Some(width) = (earlier != later).then(|| distance(&first.curve, &second.curve)).flatten() else { continue };
-        if width <= contact || width >= THINNEST {
-            continue;
-        }
+    let boxes: Vec<_> = interfaces.iter().map(|interface| Bounds::from(&interface.curve).grown(THINNEST)).collect();
+    for (i, j) in meeting(&boxes) {
+        let (first, second) = (&interfaces[i], &interfaces[j]);
+        let (earlier, later) = (first.body.min(second.body), first.body.max(second.body));
+        let apart = (earlier != later).then(|| distance(&first.curve, &second.curve)).flatten();
+        let Some(width) = apart.filter(|width| near < *width && *width < THINNEST) else { continue };
         match found.iter_mut().find(|gap| (gap.earlier, gap.later) == (earlier, later)) {
             Some(gap) => gap.width = gap.width.min(width),
             None => found.push(Gap { earlier, later, width }),

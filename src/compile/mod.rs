@@ -54,10 +54,11 @@ pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
     let sides = Sides { boundaries: &boundaries, regions: &regions, outlines: &layout.roles, surroundings };
     let walls = sides.walls(&pieces);
     let interfaces: Vec<_> = walls.iter().filter(|wall| is_interface(wall)).cloned().collect();
-    let ground = Ground { origin, walls: &walls, near: rounding(&interfaces, origin), regions: &regions, surroundings };
+    let near = rounding(&interfaces, origin);
+    let ground = Ground { origin, walls: &walls, near, regions: &regions, surroundings };
     let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
-    let warnings = gaps(&boundaries, &layout.roles).into_iter().map(|gap| gap_warning(scene, gap)).collect();
+    let warnings = gaps(&interfaces, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
     let system = OpticalSystem {
         origin,
         dropped: walls.len() - interfaces.len(),
