@@ -30,15 +30,17 @@ pub(crate) struct Crossing {
     pub(crate) from_left: bool,
 }
 
-/// The first interface that the ray crosses; of several at one distance the first in the list. `None` if the ray leaves.
+/// The first interface that the ray crosses; at a corner that two share, the one it passes first; of several others at one
+/// distance the first in the list. `None` if the ray leaves.
 pub(crate) fn nearest(interfaces: &[Interface], near: f64, ray: &Ray) -> Option<Crossing> {
     let probe = Probe { ray, last: ray.last(interfaces), near };
     let mut first: Option<Crossing> = None;
     for (interface, candidate) in interfaces.iter().enumerate() {
         for (distance, from_left) in probe.crossings(interface, candidate).into_iter().flatten() {
             let near_side = if from_left { candidate.left } else { candidate.right };
-            if near_side == ray.medium && first.is_none_or(|best| distance < best.distance) {
-                first = Some(Crossing { interface, distance, from_left });
+            let crossing = Crossing { interface, distance, from_left };
+            if near_side == ray.medium && first.is_none_or(|best| probe.is_before(interfaces, &crossing, &best)) {
+                first = Some(crossing);
             }
         }
     }
@@ -66,6 +68,17 @@ struct Probe<'a> {
 }
 
 impl Probe<'_> {
+    /// Whether the ray passes one crossing before another. Of two edges with a common end, both crossed on the same side
+    /// of it, that which leads backward from it: exact where the distances are not.
+    fn is_before(&self, interfaces: &[Interface], one: &Crossing, other: &Crossing) -> bool {
+        let by_distance = one.distance < other.distance;
+        let (first, second) = (&interfaces[one.interface], &interfaces[other.interface]);
+        let Some((corner, [u, v])) = corner(first, second) else { return by_distance };
+        let p = [first.curve.a, first.curve.b][usize::from(first.ends[0] != corner)];
+        let turn = side(p, u, v);
+        if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
+    }
+
     fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
@@ -187,7 +200,7 @@ impl Probe<'_> {
     /// corner decides: the candidate is ahead where it opens to the side that the ray heads to.
     fn ahead(&self, candidate: &Interface, distance: f64) -> Option<f64> {
         let corner = self.last.and_then(|(last, left)| Some((last, left, self.shared_end(last, candidate)?)));
-        let Some((last, heads_left, start)) = corner else { return (distance > 0.0).then_some(distance) };
+        let Some((last, heads_left, start)) = corner else { return self.ahead_of_start(candidate, distance) };
         let both_straight = last.curve.is_straight() && candidate.curve.is_straight();
         let met = candidate.curve.normal_at(self.ray.from + distance * self.ray.direction);
         let is_clear = candidate.curve.offset(self.ray.from).abs() > self.near
@@ -198,6 +211,14 @@ impl Probe<'_> {
         let ahead =
             self.opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
         ahead.then_some(distance.max(0.0))
+    }
+
+    /// A distance from a start within rounding of an arc counts as 0: the ray is in the medium that it leaves there.
+    fn ahead_of_start(&self, candidate: &Interface, distance: f64) -> Option<f64> {
+        let leaves = candidate.left != candidate.right && self.ray.start == Start::Free;
+        let at_start =
+            leaves && distance.abs() <= self.near.sqrt() && candidate.curve.offset(self.ray.from).abs() <= self.near;
+        (distance > 0.0 || at_start).then_some(distance.max(0.0))
     }
 
     fn touches_last(&self, candidate: &Interface) -> bool {
@@ -231,6 +252,21 @@ impl Probe<'_> {
         };
         (turn != 0.0).then_some(turn > 0.0)
     }
+}
+
+/// The one vertex that two edges share, and their other ends; `None` for arcs.
+fn corner(first: &Interface, second: &Interface) -> Option<(VertexId, [DVec2; 2])> {
+    if !first.curve.is_straight() || !second.curve.is_straight() {
+        return None;
+    }
+    let [from, to] = first.ends.map(|end| second.ends.contains(&end));
+    let (shared, u) = match (from, to) {
+        (true, false) => (first.ends[0], first.curve.b),
+        (false, true) => (first.ends[1], first.curve.a),
+        _ => return None,
+    };
+    let v = if second.ends[0] == shared { second.curve.b } else { second.curve.a };
+    Some((shared, [u, v]))
 }
 
 /// Curvature of `candidate` above that of `last` where the two touch, seen along `last`; 0 where they are equal.

@@ -114,7 +114,8 @@ fn path(run: &Run, segment: &Segment, parent: Option<&Segment>) {
     let aside = direction.perp_dot(to - from);
     assert!(aside.abs() <= 32.0 * U * reach, "a hit {:.1} u off its ray: {segment:?}", aside / U / reach);
     let length = (to - from).dot(direction);
-    assert!(length >= -32.0 * U * reach, "a hit {length:e} behind its start: {segment:?}");
+    // Where a ray grazes, the place along it is known to the square root of the rounding.
+    assert!(length >= -8.0 * U.sqrt() * reach, "a hit {length:e} behind its start: {segment:?}");
     let optical = segment.medium_index * length;
     let rounding = U * (64.0 * segment.medium_index * reach + 4.0 * before);
     assert!((segment.optical_path - before - optical).abs() <= rounding, "optical path of {segment:?}");
