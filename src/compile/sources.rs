@@ -7,7 +7,7 @@ use crate::compile::interfaces::is_interface;
 use crate::compile::region::Region;
 use crate::geometry::Curve;
 use crate::light::{Power, Wavelength};
-use crate::numerics::{Turn, cross};
+use crate::numerics::{Turn, cross, side};
 use crate::scene::{Direction, Light, Polarization, Source};
 use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId};
 
@@ -91,8 +91,15 @@ impl Ground<'_> {
         RayStart { from, direction, medium, start }
     }
 
-    /// The medium of the last region that holds a point.
+    /// The medium of the last region that holds a point. Beside a wall, up to rounding, its own side decides: where others
+    /// cut it, rounding bends it.
     fn medium_at(&self, p: DVec2) -> MediumId {
+        let beside = self.walls.iter().filter(|wall| lies_on(&wall.curve, p, self.near));
+        let nearest = beside.min_by(|u, v| u.curve.offset(p).abs().total_cmp(&v.curve.offset(p).abs()));
+        if let Some(Interface { curve, left, right, .. }) = nearest {
+            let turn = if curve.is_straight() { side(curve.a, curve.b, p) } else { curve.offset(p) };
+            return if turn > 0.0 { *left } else { *right };
+        }
         let last = self.regions.iter().rev().find(|region| region.contains(p));
         last.map_or(self.surroundings, |region| region.medium)
     }
