@@ -35,6 +35,10 @@ fn ends(node: &Node<'_, '_>) -> [f64; 4] {
     numbers(node).try_into().unwrap()
 }
 
+fn length([x0, y0, x1, y1]: [f64; 4]) -> f64 {
+    ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)).sqrt()
+}
+
 /// How many normals a slab shows that a ray meets at some degrees from the perpendicular.
 fn normals_at(degrees: f64) -> usize {
     let text = svg(&format!(
@@ -106,7 +110,7 @@ fn a_turned_ray_shows_its_deviation() {
     // The incoming ray goes on through the point where the outgoing one seems to start.
     let along = [forward[2] - forward[0], forward[3] - forward[1]];
     let crossing = [back[2] - forward[0], back[3] - forward[1]];
-    assert!((along[0] * crossing[1] - along[1] * crossing[0]).abs() < 0.02 * along[0].hypot(along[1]));
+    assert!((along[0] * crossing[1] - along[1] * crossing[0]).abs() < 0.02 * length([0.0, 0.0, along[0], along[1]]));
     assert!(forward[2] > back[2] + 100.0 && near(&forward[..2], place(-7.5, 4.33)));
 }
 
@@ -186,6 +190,21 @@ fn the_png_adds_colors_up_too() {
     let pixels = (-3..=3).map(|dy| picture.pixel((2.0 * x) as u32, (2.0 * y + f64::from(dy)) as u32).unwrap());
     let whitest = pixels.map(|p| p.red().min(p.green()).min(p.blue())).max().unwrap();
     assert!(whitest > 230, "{whitest}");
+}
+
+#[test]
+fn on_light_ink_covers_lines_until_they_part() {
+    let text = svg(&white("Light"));
+    let document = Document::parse(&text).unwrap();
+    let [inside, behind] = of_class(&document, "together").try_into().unwrap();
+    assert_eq!(inside.attribute("stroke"), Some("#1f2933"));
+    let first = inside.parent().unwrap().first_element_child().unwrap();
+    let ([a, b, c, d], [x0, y0, x1, y1]) = (ends(&inside), ends(&first));
+    assert!(length([x0, y0, a, b]) < 1.0, "it begins where the light enters");
+    let share = length([a, b, c, d]) / length([x0, y0, x1, y1]);
+    assert!((0.2..0.8).contains(&share), "{share}");
+    assert!(length(ends(&behind)) < 100.0);
+    assert!(!svg(&white("Dark")).contains("together"));
 }
 
 #[test]

@@ -159,7 +159,7 @@ pub(super) fn closed_stretch(fan: &[&Branch<'_>]) -> Option<[DVec2; 2]> {
     let shares = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS));
     // The distance is a convex function of the share: there is one stretch at most.
     let mut closed = shares.filter(|share| spread(fan.iter().copied(), across, *share) <= TOGETHER);
-    let (from, to) = (closed.next()?, closed.last()?);
+    let (from, to) = (closed.next()?, closed.next_back()?);
     let (low, high) = fan.iter().fold((*first, *first), |(low, high), branch| {
         let side = |branch: &Branch<'_>| branch.ends[0].lerp(branch.ends[1], to).dot(across);
         (if side(branch) < side(low) { branch } else { low }, if side(branch) > side(high) { branch } else { high })
