@@ -35,6 +35,10 @@ fn ends(node: &Node<'_, '_>) -> [f64; 4] {
     numbers(node).try_into().unwrap()
 }
 
+fn length([x0, y0, x1, y1]: [f64; 4]) -> f64 {
+    ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)).sqrt()
+}
+
 /// How many normals a slab shows that a ray meets at some degrees from the perpendicular.
 fn normals_at(degrees: f64) -> usize {
     let text = svg(&format!(
@@ -106,7 +110,7 @@ fn a_turned_ray_shows_its_deviation() {
     // The incoming ray goes on through the point where the outgoing one seems to start.
     let along = [forward[2] - forward[0], forward[3] - forward[1]];
     let crossing = [back[2] - forward[0], back[3] - forward[1]];
-    assert!((along[0] * crossing[1] - along[1] * crossing[0]).abs() < 0.02 * along[0].hypot(along[1]));
+    assert!((along[0] * crossing[1] - along[1] * crossing[0]).abs() < 0.02 * length([0.0, 0.0, along[0], along[1]]));
     assert!(forward[2] > back[2] + 100.0 && near(&forward[..2], place(-7.5, 4.33)));
 }
 
@@ -173,6 +177,18 @@ fn on_dark_colors_add_up_to_white() {
 }
 
 #[test]
+fn very_many_lines_add_up_in_shared_paths() {
+    let beam = "Beam(center: (-45, -10.5), direction: Towards((-15, 8.66)), width: 6, rays: 40)";
+    let scene = white("Dark").replace("Ray(from: (-75, -30.5), direction: Towards((-15, 8.66)))", beam);
+    let text = svg(&scene);
+    let document = Document::parse(&text).unwrap();
+    let groups = of_class(&document, "spectrum");
+    assert!(!groups.is_empty() && groups.len() <= 25, "{}", groups.len());
+    let rays: Vec<_> = groups.iter().flat_map(|group| group.children().filter(Node::is_element)).collect();
+    assert!(rays.iter().all(|ray| ray.attribute("style").is_some() && ray.attribute("data-address").is_none()));
+}
+
+#[test]
 fn the_png_adds_colors_up_too() {
     let scene = white("Dark");
     let text = svg(&scene);
@@ -186,6 +202,21 @@ fn the_png_adds_colors_up_too() {
     let pixels = (-3..=3).map(|dy| picture.pixel((2.0 * x) as u32, (2.0 * y + f64::from(dy)) as u32).unwrap());
     let whitest = pixels.map(|p| p.red().min(p.green()).min(p.blue())).max().unwrap();
     assert!(whitest > 230, "{whitest}");
+}
+
+#[test]
+fn on_light_ink_covers_lines_until_they_part() {
+    let text = svg(&white("Light"));
+    let document = Document::parse(&text).unwrap();
+    // Behind the prism they are apart from the beginning.
+    let [inside] = of_class(&document, "together").try_into().unwrap();
+    assert_eq!(inside.attribute("stroke"), Some("#1f2933"));
+    let first = inside.parent().unwrap().first_element_child().unwrap();
+    let ([a, b, c, d], [x0, y0, x1, y1]) = (ends(&inside), ends(&first));
+    assert!(length([x0, y0, a, b]) < 1.0, "it begins where the light enters");
+    let share = length([a, b, c, d]) / length([x0, y0, x1, y1]);
+    assert!((0.2..0.8).contains(&share), "{share}");
+    assert!(!svg(&white("Dark")).contains("together"));
 }
 
 #[test]

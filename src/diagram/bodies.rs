@@ -58,7 +58,7 @@ fn bounds(outline: &Outline) -> Rect {
 /// The whole frame, unless it is empty space.
 fn surroundings(figure: &Figure<'_>) -> Option<Item> {
     let color = tint(figure, figure.system.surroundings());
-    let area = Path::rect(figure.frame.area.grown(2.0));
+    let area = Path::rect(figure.frame.area);
     (color != figure.palette.ground).then(|| Shape::filled(area, Fill::solid(color), "surroundings").into())
 }
 

@@ -9,6 +9,10 @@ use crate::trace::{Ending, RayTree, Segment, SegmentId, TracedRay};
 const STUB: f64 = 14.0;
 /// Lines of one ray whose ends are all within this many pixels are one line to the eye.
 const COINCIDENT: f64 = 0.25;
+/// Lines that are all within this many pixels look like one, whose color is that of the one drawn last.
+const TOGETHER: f64 = 1.3;
+/// Steps in which the stretch is sought where lines run together.
+const STEPS: u32 = 400;
 /// Lines farther apart are seen as several, pixels.
 const SEEN_APART: f64 = 3.0;
 /// More spectral lines side by side have one arrowhead.
@@ -131,7 +135,8 @@ fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<
 /// The same lines as a fan, the arrowhead on the middle one if they are many or hardly part.
 fn fanned(mut bundle: Vec<Branch<'_>>, id: usize) -> Vec<Branch<'_>> {
     let middle = bundle.len() / 2;
-    let fan = Fan { id, spread: spread(&bundle) };
+    let across = bundle.first().map_or(DVec2::Y, |first| first.direction().perp());
+    let fan = Fan { id, spread: spread(&bundle, across, 0.5) };
     let one = bundle.len() > FEW_LINES || fan.closed();
     for (i, branch) in bundle.iter_mut().enumerate() {
         branch.fan = Some(fan);
@@ -140,13 +145,27 @@ fn fanned(mut bundle: Vec<Branch<'_>>, id: usize) -> Vec<Branch<'_>> {
     bundle
 }
 
-/// How far apart lines are half way along the first.
-fn spread(bundle: &[Branch<'_>]) -> f64 {
-    let Some(first) = bundle.first() else { return 0.0 };
-    let across = first.direction().perp();
-    let middles = bundle.iter().map(|branch| (0.5 * (branch.ends[0] + branch.ends[1])).dot(across));
-    let (low, high) = middles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+/// How far apart lines are at a share of their way.
+fn spread<'a>(bundle: impl IntoIterator<Item = &'a Branch<'a>>, across: DVec2, share: f64) -> f64 {
+    let at = bundle.into_iter().map(|branch| branch.ends[0].lerp(branch.ends[1], share).dot(across));
+    let (low, high) = at.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
     high - low
+}
+
+/// Where the lines of a fan run together: the middle of the stretch's two ends; `None` if they do nowhere.
+pub(super) fn closed_stretch(fan: &[&Branch<'_>]) -> Option<[DVec2; 2]> {
+    let first = fan.first()?;
+    let across = first.direction().perp();
+    let shares = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS));
+    // The distance is a convex function of the share: there is one stretch at most.
+    let mut closed = shares.filter(|share| spread(fan.iter().copied(), across, *share) <= TOGETHER);
+    let (from, to) = (closed.next()?, closed.next_back()?);
+    let (low, high) = fan.iter().fold((*first, *first), |(low, high), branch| {
+        let side = |branch: &Branch<'_>| branch.ends[0].lerp(branch.ends[1], to).dot(across);
+        (if side(branch) < side(low) { branch } else { low }, if side(branch) > side(high) { branch } else { high })
+    });
+    let middle = |share: f64| 0.5 * (low.ends[0].lerp(low.ends[1], share) + high.ends[0].lerp(high.ends[1], share));
+    Some([middle(from), middle(to)])
 }
 
 fn merged<'a>(first: Branch<'a>, bundle: &[Branch<'a>]) -> Branch<'a> {

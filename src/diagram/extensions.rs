@@ -127,11 +127,11 @@ impl<'a> Way<'a> {
 
     /// For every segment in the medium that the light came from: back to where its line meets the farther neighbor's.
     fn virtual_origins(&self, beside: &[&Self], reach: f64) -> Vec<Extension<'a>> {
-        let Some(outside) = self.segments.first().map(|first| first.medium_index) else { return Vec::new() };
+        let Some(outside) = self.segments.first().map(|first| first.medium_index.to_bits()) else { return Vec::new() };
         let last = self.segments.len() - 1;
         let mut found = Vec::new();
         for (i, segment) in self.segments.iter().enumerate().skip(1) {
-            if (segment.medium_index != outside && i != last) || share(self.ray, segment) < STRONG {
+            if (segment.medium_index.to_bits() != outside && i != last) || share(self.ray, segment) < STRONG {
                 continue;
             }
             let others = beside.iter().filter_map(|other| other.segments.get(i));
@@ -166,7 +166,7 @@ impl<'a> Way<'a> {
         let length = sight.length_squared() / toward;
         let turned = cross(sight, last.direction).abs() > 1e-6 * sight.length();
         let before = (eye - last.from).length();
-        if !turned || !(toward > 0.0 && length.is_finite() && length > before && length < REACH * sight.length()) {
+        if !(turned && toward > 0.0 && length.is_finite() && length > before && length < REACH * sight.length()) {
             return Vec::new();
         }
         vec![self.line(last, last.from, eye - last.direction * length, false)]

@@ -31,7 +31,7 @@ pub(super) fn labels(figure: &Figure<'_>, marks: &[&[Item]]) -> Vec<Item> {
         room.own = k;
         let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area));
         let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
-            let beside = room.best(&text, &room.away_from_others(beside(&shapes[k], &text, &room.area), &text));
+            let beside = room.best(&text, &room.near_home(beside(&shapes[k], &text, &room.area), &shapes[k], &text));
             [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
         });
         if let Some((_, middle)) = place {
@@ -139,7 +139,28 @@ fn beside(shapes: &[Shape], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
         let rank = [0.0, 1.0, 2.0, 3.0, 4.0][i];
         places.extend([0.0, 0.2, 0.4, 0.6].into_iter().zip(sides).map(|(side, p)| (2.0 + rank + side, p)));
     }
+    // Next to the line of a bent body its box is far away.
+    for (shape, share) in shapes.iter().flat_map(|shape| [0.15, 0.3, 0.45, 0.6, 0.75, 0.9].map(|share| (shape, share)))
+    {
+        let Some(p) = point_along(&shape.points, share) else { continue };
+        let sides = [DVec2::Y, DVec2::NEG_Y, DVec2::X, DVec2::NEG_X];
+        places.extend(sides.into_iter().map(|side| (7.0, p + side * half)));
+    }
     places
+}
+
+/// A point at a share of a line's length.
+fn point_along(points: &[DVec2], share: f64) -> Option<DVec2> {
+    let length = |pair: &[DVec2]| (pair[1] - pair[0]).length();
+    let mut left = share * points.windows(2).map(length).sum::<f64>();
+    for pair in points.windows(2) {
+        let piece = length(pair);
+        if piece > 0.0 && left <= piece {
+            return Some(pair[0].lerp(pair[1], left / piece));
+        }
+        left -= piece;
+    }
+    None
 }
 
 /// The box of what the frame shows of some outlines; `None` if it shows nothing.
@@ -193,24 +214,22 @@ struct Room {
 }
 
 impl Room {
-    /// The same places, dearer where another body is nearer than the own one and the words would seem to be its.
-    fn away_from_others(&self, places: Vec<(f64, DVec2)>, text: &Text) -> Vec<(f64, DVec2)> {
+    /// The same places, dearer the farther they are from the body's own line, and dearer still where another body is
+    /// nearer, whose the words would seem to be.
+    fn near_home(&self, places: Vec<(f64, DVec2)>, own: &[Shape], text: &Text) -> Vec<(f64, DVec2)> {
         let priced = places.into_iter().map(|(cost, p)| {
             let rect = centered(text, p).bounds();
             let apart = |k: usize| self.boxes[k].map(|other| gap(&rect, &other));
             let others = (0..self.boxes.len()).filter(|k| *k != self.own).filter_map(apart);
-            let nearest = others.fold(f64::INFINITY, f64::min);
-            let own = apart(self.own).unwrap_or(0.0);
-            (
-                if nearest <= own {
-                    cost + 6.0
-                } else if nearest < 2.0 * own {
-                    cost + 2.0
-                } else {
-                    cost
-                },
-                p,
-            )
+            let (nearest, own_box) = (others.fold(f64::INFINITY, f64::min), apart(self.own).unwrap_or(0.0));
+            let crowd = if nearest <= own_box {
+                6.0
+            } else if nearest < 2.0 * own_box {
+                2.0
+            } else {
+                0.0
+            };
+            (cost + crowd + (to_line(&rect, own) - 2.0 * GAP).max(0.0) / 10.0, p)
         });
         priced.collect()
     }
@@ -231,6 +250,19 @@ impl Room {
         }
         lines.iter().filter(|line| crosses(line, rect)).map(|_| 10.0).sum()
     }
+}
+
+/// Distance of a place from a body's line.
+fn to_line(rect: &Rect, shapes: &[Shape]) -> f64 {
+    let chords = shapes.iter().flat_map(|shape| shape.points.windows(2));
+    let distances = chords.flat_map(|pair| rim(rect).map(|p| to_chord(p, pair[0], pair[1])));
+    distances.fold(f64::INFINITY, f64::min)
+}
+
+fn to_chord(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let along = (p - a).dot(b - a) / (b - a).length_squared();
+    let foot = if along.is_finite() { a.lerp(b, along.clamp(0.0, 1.0)) } else { a };
+    (p - foot).length()
 }
 
 /// Distance of two rectangles, 0 where they overlap.

@@ -102,7 +102,7 @@ impl Figure<'_> {
 /// The part of the figure that is left for the scene.
 fn area(scene: &Scene, below_header: f64) -> Rect {
     let [width, height] = scene.diagram.size.map(f64::from);
-    let side = header::margin(scene) * 0.75;
+    let side = header::margin(scene);
     let foot = if scene.diagram.scale_bar { scale_bar::HEIGHT } else { 0.0 };
     let top = below_header.min(0.7 * height);
     let bottom = (height - side - foot).max(top + 0.2 * height);

@@ -1,8 +1,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagram::Figure;
-use crate::diagram::branches::Branch;
-use crate::drawing::{Color, Group, Item, Path, Shape, Stroke, shortest};
+use crate::diagram::branches::{Branch, closed_stretch};
+use crate::drawing::{Color, Group, Item, Path, Shape, Stroke, Whole, shortest};
 use crate::scene::{RayColor, Theme};
 
 /// With more branches than this, those of one style share a path.
@@ -26,7 +26,7 @@ pub(super) fn rays(figure: &Figure<'_>) -> Vec<Item> {
     }
     let mut fans: BTreeMap<usize, Vec<&Branch<'_>>> = BTreeMap::new();
     for branch in &figure.branches {
-        if let Some(fan) = branch.fan.filter(|_| styles.adds_up(branch)) {
+        if let Some(fan) = branch.fan.filter(|_| styles.spectral(branch)) {
             fans.entry(fan.id).or_default().push(branch);
         }
     }
@@ -47,15 +47,23 @@ fn single(branch: &Branch<'_>, stroke: Stroke) -> Shape {
         .with("data-power", shortest(branch.power))
 }
 
-/// Lines of one ray, whose colors add up where they overlap. The whole has the strongest line's opacity, so that many weak
-/// lines over each other stay weak.
+/// The lines of one ray as a whole of the strongest line's opacity, so that many weak lines over each other stay weak.
 fn spectrum(styles: &Styles<'_>, fan: &[&Branch<'_>]) -> Item {
-    let strongest = fan.iter().map(|branch| opacity(strength(branch.share))).fold(0.0, f64::max);
-    let lines = fan.iter().map(|branch| {
-        let strength = strength(branch.share);
-        single(branch, styles.stroke(branch, strength).faded(opacity(strength) / strongest)).into()
-    });
-    Item::from(Group::layer("spectrum", lines.collect()).of_light(strongest))
+    let strongest = fan.iter().map(|branch| strength(branch.share)).fold(0.0, f64::max);
+    let mut items: Vec<Item> = Vec::new();
+    for branch in fan {
+        let own = strength(branch.share);
+        items.push(single(branch, styles.stroke(branch, own).faded(opacity(own) / opacity(strongest))).into());
+    }
+    let whole = Whole { opacity: opacity(strongest), adds_up: styles.add_up() };
+    if !whole.adds_up
+        && let Some((first, ends)) = fan.first().zip(closed_stretch(fan))
+    {
+        let together = Branch { together: true, ..**first };
+        let stroke = styles.stroke(&together, strongest).faded(1.0);
+        items.push(Shape::stroked(Path::line(ends[0], ends[1]), stroke, "together").into());
+    }
+    Group::layer("spectrum", items).as_whole(whole).into()
 }
 
 fn by_style(figure: &Figure<'_>, styles: &Styles<'_>) -> Vec<Item> {
@@ -64,7 +72,7 @@ fn by_style(figure: &Figure<'_>, styles: &Styles<'_>) -> Vec<Item> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 24")]
         let level = (strength(branch.share) * LEVELS).round() as u8;
         let stroke = || styles.stroke(branch, f64::from(level) / LEVELS);
-        let paths = levels.entry((level, styles.adds_up(branch))).or_default();
+        let paths = levels.entry((level, styles.add_up() && styles.spectral(branch))).or_default();
         let key = (branch.segment.via.word(), styles.color(branch), styles.dash(branch));
         let (path, _) = paths.entry(key).or_insert_with(|| (Path::new(), stroke()));
         path.move_to(branch.ends[0]);
@@ -72,13 +80,14 @@ fn by_style(figure: &Figure<'_>, styles: &Styles<'_>) -> Vec<Item> {
     }
     let mut items: Vec<Item> = Vec::new();
     for ((_, adds_up), paths) in levels {
-        let together = paths.values().next().map_or(1.0, |(_, stroke)| stroke.opacity);
+        let opacity = paths.values().next().map_or(1.0, |(_, stroke)| stroke.opacity);
         let shapes = paths.into_iter().map(|((via, ..), (path, stroke))| {
             let stroke = if adds_up { stroke.faded(1.0) } else { stroke };
             Item::from(Shape::stroked(path, stroke, &format!("ray {via}")))
         });
         if adds_up {
-            items.push(Group::layer("spectrum", shapes.collect()).of_light(together).into());
+            let whole = Whole { opacity, adds_up };
+            items.push(Group::layer("spectrum", shapes.collect()).as_whole(whole).into());
         } else {
             items.extend(shapes);
         }
@@ -148,13 +157,17 @@ impl<'a> Styles<'a> {
         self.color(&Branch { together: true, ..*branch })
     }
 
-    /// Whether the colors of a branch and of its neighbors are those of light and add up where they overlap. On a dark
-    /// ground, light is added; on a light one, where adding ends in the ground's white, lines cover each other.
-    fn adds_up(&self, branch: &Branch<'_>) -> bool {
+    /// Whether a branch is one of several spectral lines, each in its own color.
+    fn spectral(&self, branch: &Branch<'_>) -> bool {
         let own = self.figure.scene.sources.get(branch.ray.source).is_some_and(|source| source.color.is_some());
-        let settings = &self.figure.scene.diagram;
-        let by_wavelength = matches!(settings.color, RayColor::Auto | RayColor::Wavelength);
-        branch.fan.is_some() && by_wavelength && !own && settings.theme == Theme::Dark
+        let by_wavelength = matches!(self.figure.scene.diagram.color, RayColor::Auto | RayColor::Wavelength);
+        branch.fan.is_some() && by_wavelength && !own
+    }
+
+    /// Whether colors add up where they overlap, as light does on a dark ground. On a light one adding would end in the
+    /// ground's own white: there lines cover each other, and ink covers them where they run together.
+    fn add_up(&self) -> bool {
+        self.figure.scene.diagram.theme == Theme::Dark
     }
 
     /// Which dashes a branch has: solid, but for a few lines in print, where dashes stand for colors.

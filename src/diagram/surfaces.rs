@@ -71,13 +71,16 @@ fn class(surface: Surface) -> &'static str {
 
 /// Fill of a closed surface that light does not get into, so that it looks solid; none where its inside is lit.
 fn filling(figure: &Figure<'_>, k: usize, outline: &Outline, color: Color) -> Option<Fill> {
+    if !outline.closed {
+        return None;
+    }
     let lit = lit_sides(figure, k, &outline.curves);
     // Shoelace: above 0 the inside is on the left.
     let points: Vec<DVec2> = outline.curves.iter().flat_map(outline::samples).collect();
     let middle = points.iter().copied().reduce(DVec2::min)?;
     let area: f64 = points.windows(2).map(|pair| cross(pair[0] - middle, pair[1] - middle)).sum();
     let inside_lit = lit[usize::from(area > 0.0)];
-    (outline.closed && !inside_lit).then_some(Fill { color, opacity: 0.16 })
+    (!inside_lit).then_some(Fill { color, opacity: 0.16 })
 }
 
 /// Barbs at both ends of an ideal lens: outward tips converge light, inward ones diverge it.

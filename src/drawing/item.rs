@@ -52,11 +52,19 @@ pub struct Group {
     pub data: Vec<(&'static str, String)>,
     /// Nothing is drawn outside of this rectangle.
     pub clip: Option<Rect>,
-    /// If given, its items add up as lights do: they screen each other, apart from what lies behind, and the whole is laid
-    /// on that with this opacity.
-    pub light: Option<f64>,
+    /// If given, its items are put together apart from what lies behind, and laid on that as a whole.
+    pub whole: Option<Whole>,
     /// What is drawn, from back to front.
     pub items: Vec<Item>,
+}
+
+/// How a group is laid on what lies behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Whole {
+    /// 0 invisible to 1 solid.
+    pub opacity: f64,
+    /// Whether its items add up as lights do, by screening each other; else the later covers the earlier.
+    pub adds_up: bool,
 }
 
 impl Shape {
@@ -87,10 +95,10 @@ impl Group {
         Self { class: class.to_owned(), items, ..Self::default() }
     }
 
-    /// The same, its items adding up as lights do, laid with an opacity on what lies behind.
+    /// The same, laid on what lies behind as a whole.
     #[must_use]
-    pub fn of_light(self, opacity: f64) -> Self {
-        Self { light: Some(opacity), ..self }
+    pub fn as_whole(self, whole: Whole) -> Self {
+        Self { whole: Some(whole), ..self }
     }
 
     /// The same, drawn only inside of a rectangle.

@@ -13,7 +13,7 @@ mod text;
 
 pub use color::Color;
 pub use font::{Font, GlyphStep};
-pub use item::{Drawing, Group, Item, Shape};
+pub use item::{Drawing, Group, Item, Shape, Whole};
 pub use number::{pixel, shortest};
 pub use path::{Path, PathStep, Rect};
 pub use style::{Cap, Fill, Stroke};

@@ -7,6 +7,7 @@ use kurbo::{Arc, Point, SvgArc, Vec2};
 use tiny_skia::Transform;
 use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, StrokeDash};
 
+use crate::drawing::Whole;
 use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
 
 /// A picture of more pixels would need over half a gigabyte.
@@ -90,8 +91,8 @@ impl Canvas {
                 Item::Group(group) => {
                     let clip = group.clip.and_then(|rect| self.clip(&rect, mask));
                     let mask = clip.as_ref().or(mask);
-                    match group.light {
-                        Some(opacity) => self.light(group, opacity, mask),
+                    match group.whole {
+                        Some(whole) => self.whole(group, whole, mask),
                         None => self.items(&group.items, mask),
                     }
                 }
@@ -99,9 +100,10 @@ impl Canvas {
         }
     }
 
-    /// Things that add up: they screen each other on an empty layer, which is laid on the picture.
-    fn light(&mut self, group: &Group, opacity: f64, mask: Option<&Mask>) {
+    /// Puts things together on an empty layer, which is laid on the picture.
+    fn whole(&mut self, group: &Group, Whole { opacity, adds_up }: Whole, mask: Option<&Mask>) {
         let Some(([x, y], mut layer)) = self.layer(&group.items) else { return };
+        layer.mode = if adds_up { BlendMode::Screen } else { BlendMode::SourceOver };
         layer.items(&group.items, None);
         let paint = PixmapPaint { opacity: single(DVec2::splat(opacity.clamp(0.0, 1.0))).0, ..PixmapPaint::default() };
         self.pixels.draw_pixmap(x, y, layer.pixels.as_ref(), &paint, Transform::identity(), mask);
@@ -117,7 +119,7 @@ impl Canvas {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers within the picture")]
         let (at, pixels) = ([min.x as i32, min.y as i32], Pixmap::new(size.x as u32, size.y as u32)?);
         let (x, y) = single(-min);
-        Some((at, Self { pixels, transform: self.transform.post_translate(x, y), mode: BlendMode::Screen }))
+        Some((at, Self { pixels, transform: self.transform.post_translate(x, y), mode: BlendMode::SourceOver }))
     }
 
     fn shape(&mut self, shape: &Shape, mask: Option<&Mask>) {
@@ -293,7 +295,7 @@ mod tests {
         };
         let lights = vec![line(18.0, 0xff_00_00), line(18.0, 0x00_ff_00), line(22.0, 0x00_00_ff)];
         let pixel = |opacity: f64, y: u32| {
-            let group = Group::layer("", lights.clone()).of_light(opacity);
+            let group = Group::layer("", lights.clone()).as_whole(Whole { opacity, adds_up: true });
             let mut drawing = drawing(vec![group.into()]);
             drawing.background = Some(Color::hex(0x00_00_40));
             let picture = Pixmap::decode_png(&png(&drawing, 1.0).unwrap()).unwrap();

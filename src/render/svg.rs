@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
+use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text, Whole};
 use crate::drawing::{pixel, shortest};
 
 /// The figure as an SVG document; the same figure gives the same bytes.
@@ -41,17 +41,18 @@ fn write_item(out: &mut String, item: &Item, screened: bool) {
 fn write_group(out: &mut String, group: &Group) {
     out.push_str("<g");
     attributes(out, &group.class, &group.data);
-    if let Some(opacity) = group.light {
+    let adds_up = group.whole.is_some_and(|whole| whole.adds_up);
+    if let Some(Whole { opacity, .. }) = group.whole.filter(|whole| whole.opacity < 1.0) {
+        push(out, format_args!(" opacity=\"{}\"", pixel(opacity)));
+    }
+    if adds_up {
         out.push_str(" style=\"isolation:isolate\"");
-        if opacity < 1.0 {
-            push(out, format_args!(" opacity=\"{}\"", pixel(opacity)));
-        }
     }
     if let Some(clip) = &group.clip {
         push(out, format_args!(" clip-path=\"url(#{})\"", clip_id(clip)));
     }
     out.push_str(">\n");
-    group.items.iter().for_each(|item| write_item(out, item, group.light.is_some()));
+    group.items.iter().for_each(|item| write_item(out, item, adds_up));
     out.push_str("</g>\n");
 }
 

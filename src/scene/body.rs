@@ -7,7 +7,7 @@ use crate::scene::Medium;
 pub struct Body {
     /// Unique name, by which results refer to the body.
     pub name: Option<String>,
-    /// Words for the figure.
+    /// Words for the figure; the name stands for `None`, and `""` keeps it out of the figure.
     pub label: Option<String>,
     /// Fill color of the figure as red, green, blue; by the index if `None`.
     pub color: Option<[u8; 3]>,

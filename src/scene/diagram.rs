@@ -13,7 +13,7 @@ pub struct DiagramSettings {
     pub color: RayColor,
     /// Branches below this share of the source ray are traced and counted, not drawn.
     pub faintest: f64,
-    /// Dashed normals at the hits.
+    /// Dashed normals at the hits, but for perpendicular incidence, where the ray is its own normal.
     pub normals: bool,
     /// Angle marks at the hits.
     pub angles: bool,
@@ -23,7 +23,7 @@ pub struct DiagramSettings {
     pub arrows: bool,
     /// Legend.
     pub legend: bool,
-    /// Dashed extensions of rays.
+    /// Dashed extensions of rays: to where they seem to come from, and where they would have gone.
     pub extensions: bool,
     /// Coordinate grid.
     pub grid: bool,
