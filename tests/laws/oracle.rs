@@ -6,16 +6,16 @@ use snellius::geometry::Curve;
 use snellius::light::Wavelength;
 
 /// Index at a point at least 1e-9 off all outlines: that of the last body that holds it.
-pub fn index_at(system: &OpticalSystem, wavelength: Wavelength, p: DVec2) -> f64 {
+pub(crate) fn index_at(system: &OpticalSystem, wavelength: Wavelength, p: DVec2) -> f64 {
     // Off the chords of arcs, too, which run through bodies.
     let p = p + DVec2::new(1.1e-10, 2.7e-10);
-    let filled = system.bodies().iter().flat_map(|body| &body.outlines).filter(|outline| outline.medium.is_some());
-    let last = filled.filter(|outline| holds(&outline.curves, p)).last();
+    let outlines = system.bodies().iter().flat_map(|body| &body.outlines);
+    let last = outlines.rev().find(|outline| outline.medium.is_some() && holds(&outline.curves, p));
     system.index(last.and_then(|outline| outline.medium).unwrap_or(system.surroundings()), wavelength)
 }
 
 /// Winding number of the chords, and of the caps between chord and arc.
-pub fn holds(curves: &[Curve], p: DVec2) -> bool {
+pub(crate) fn holds(curves: &[Curve], p: DVec2) -> bool {
     curves.iter().map(|curve| chord_winding(curve, p) + cap_winding(curve, p)).sum::<i32>() != 0
 }
 
@@ -42,13 +42,13 @@ fn cap_winding(curve: &Curve, p: DVec2) -> i32 {
 }
 
 /// Distance from a point to the nearest outline of any body, at least.
-pub fn clearance(system: &OpticalSystem, p: DVec2) -> f64 {
+pub(crate) fn clearance(system: &OpticalSystem, p: DVec2) -> f64 {
     let curves = system.bodies().iter().flat_map(|body| &body.outlines).flat_map(|outline| &outline.curves);
     curves.map(|curve| distance(curve, p)).fold(f64::INFINITY, f64::min)
 }
 
 /// Distance from a point to a curve.
-pub fn distance(curve: &Curve, p: DVec2) -> f64 {
+pub(crate) fn distance(curve: &Curve, p: DVec2) -> f64 {
     let to_ends = p.distance(curve.a).min(p.distance(curve.b));
     let foot = foot(curve, p);
     if is_between(curve, foot) { to_ends.min(p.distance(foot)) } else { to_ends }
@@ -75,7 +75,7 @@ fn is_between(curve: &Curve, p: DVec2) -> bool {
 }
 
 /// Where the line through `from` along `direction` meets a curve: distances along it.
-pub fn crossings(curve: &Curve, from: DVec2, direction: DVec2) -> Vec<f64> {
+pub(crate) fn crossings(curve: &Curve, from: DVec2, direction: DVec2) -> Vec<f64> {
     let distances = if curve.curvature == 0.0 {
         let chord = curve.b - curve.a;
         vec![(curve.a - from).perp_dot(chord) / direction.perp_dot(chord)]

@@ -37,7 +37,7 @@ proptest! {
 }
 
 /// Holds a whole trace to the laws.
-pub fn check(run: &Run) {
+pub(crate) fn check(run: &Run) {
     let emitted = run.trace.summary.balance.emitted.value();
     assert!(run.trace.summary.balance.residual().abs() <= 64.0 * U * emitted, "{:?}", run.trace.summary.balance);
     let grazing = grazing(run);

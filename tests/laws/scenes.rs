@@ -12,11 +12,11 @@ use snellius::scene::{
     Surface, TraceSettings,
 };
 
-pub fn body(shape: Shape, substance: Substance) -> Body {
+pub(crate) fn body(shape: Shape, substance: Substance) -> Body {
     Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance }
 }
 
-pub fn source(light: Light) -> Source {
+pub(crate) fn source(light: Light) -> Source {
     Source {
         name: None,
         color: None,
@@ -27,17 +27,17 @@ pub fn source(light: Light) -> Source {
     }
 }
 
-pub fn towards(from: DVec2, to: DVec2) -> Source {
+pub(crate) fn towards(from: DVec2, to: DVec2) -> Source {
     source(Light::Ray { from, direction: Direction::Towards(to) })
 }
 
-pub fn settings(max_depth: u32) -> TraceSettings {
+pub(crate) fn settings(max_depth: u32) -> TraceSettings {
     TraceSettings { max_depth, ..TraceSettings::default() }
 }
 
 /// A random scene, shown in few lines.
 #[derive(Clone)]
-pub struct Random(pub Scene);
+pub(crate) struct Random(pub Scene);
 
 impl fmt::Debug for Random {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -51,18 +51,18 @@ impl fmt::Debug for Random {
 }
 
 /// Bodies anywhere.
-pub fn free_scenes() -> impl Strategy<Value = Random> {
+pub(crate) fn free_scenes() -> impl Strategy<Value = Random> {
     scenes(point(10.0), -180.0..180.0, vec(point(25.0), 3))
 }
 
 /// Bodies with whole sizes on a lattice, turned by quarters: their faces and corners often coincide. Rays start on the
 /// lattice and head for it, through corners and along edges.
-pub fn lattice_scenes() -> impl Strategy<Value = Random> {
+pub(crate) fn lattice_scenes() -> impl Strategy<Value = Random> {
     scenes(lattice(3), prop_oneof![Just(0.0), Just(90.0), Just(180.0), Just(-90.0)], vec(lattice(6), 3))
 }
 
 /// A lattice scene turned as a whole, and moved: what coincided does so up to rounding.
-pub fn turned_scenes() -> impl Strategy<Value = Random> {
+pub(crate) fn turned_scenes() -> impl Strategy<Value = Random> {
     let angle = prop_oneof![-180.0..180.0, Just(30.0), Just(45.0)];
     let shift = prop_oneof![Just(0.0), -1000.0..1000.0, -1e6..1e6];
     (lattice_scenes(), angle, shift.clone(), shift)
@@ -70,7 +70,7 @@ pub fn turned_scenes() -> impl Strategy<Value = Random> {
 }
 
 /// The whole scene turned about the coordinate origin, then moved.
-pub fn turned(scene: Scene, angle: f64, shift: DVec2) -> Scene {
+pub(crate) fn turned(scene: Scene, angle: f64, shift: DVec2) -> Scene {
     let turn = |p: DVec2| Turn::degrees(angle).apply(p) + shift;
     let bodies = scene.bodies.into_iter();
     let bodies = bodies.map(|body| Body { at: turn(body.at), rotate: body.rotate + angle, ..body }).collect();

@@ -48,8 +48,11 @@ fn mapped(scene: &Scene, point: impl Fn(DVec2) -> DVec2, vector: impl Fn(DVec2) 
     Scene { bodies: bodies.collect(), sources: sources.collect(), ..scene.clone() }
 }
 
+/// Address and ending, direction, power, and the hit's body, cosine and sine.
+type Branch = (String, DVec2, f64, Option<(usize, f64, f64)>);
+
 /// What does not depend on where and how large a scene is.
-fn light(trace: &Trace) -> Vec<(String, DVec2, f64, Option<(usize, f64, f64)>)> {
+fn light(trace: &Trace) -> Vec<Branch> {
     let rays = trace.tree.rays.iter();
     let segments = rays.flat_map(|ray| ray.segments.iter().map(move |s| (ray.address(s.id), s)));
     segments
@@ -107,10 +110,8 @@ proptest! {
     }
 }
 
-type Light_ = (String, DVec2, f64, Option<(usize, f64, f64)>);
-
 /// The same tree, with directions that differ by rounding.
-fn agree(scene: &[Light_], image: &[Light_], map: impl Fn(DVec2) -> DVec2) -> Result<(), TestCaseError> {
+fn agree(scene: &[Branch], image: &[Branch], map: impl Fn(DVec2) -> DVec2) -> Result<(), TestCaseError> {
     prop_assert_eq!(scene.len(), image.len());
     for (a, b) in scene.iter().zip(image) {
         prop_assert_eq!(&a.0, &b.0);

@@ -1,0 +1,142 @@
+//! Scenes in which light once went wrong, each the smallest that showed it.
+
+use crate::properties::check;
+use crate::support::run_text;
+
+/// Each scene under the name of what it shows, held to all laws.
+macro_rules! finds {
+    ($($name:ident: $scene:expr;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                check(&run_text(concat!("(trace: (min_power: 0, max_depth: 6), ", $scene, ")")));
+            }
+        )*
+    };
+}
+
+finds! {
+    a_ray_starts_on_the_diameter_of_a_disk: "surroundings: Index(1.33),
+        bodies: [(shape: Disk(5.35), at: (1, 2), rotate: 180, medium: Index(1))],
+        sources: [(light: Ray(from: (0, 2), direction: Towards((0, 0))))]";
+
+    a_large_arc_moves_the_origin_far_from_a_lens: "surroundings: Index(1.5), bodies: [
+        (shape: Arc(from: (-0.11986849681277793, 0.5248331437469955), through: (-2.105066450672489, -1.1641100962023636),
+            to: (3.1183390681089973, 3.269737184874688)), surface: Mirror),
+        (shape: LensGroup(diameter: 4, surfaces: [(radius: inf, thickness: 0.55, medium: Index(1)),
+            (radius: 12.405538028041654, thickness: 0.712279729484542, medium: Index(1.5)), (radius: inf)]),
+            at: (-8.789173941032196, 0), rotate: 136.42805198745432)],
+        sources: [(light: Ray(from: (-23.429548888162596, 0), direction: Angle(-120.41171554330292)))]";
+
+    a_short_piece_of_a_large_arc_lies_in_glass: "bodies: [
+        (shape: Arc(from: (-1.1962391752029056, -0.6045058496930406), through: (-0.45598788984119665, -1.6180389233063708),
+            to: (-4.929732051872598, 4.522619108459233)), at: (6.041671502711375, 2.7710265306569983),
+            rotate: -76.09948382578789, surface: Mirror),
+        (shape: HalfDisk(1.338948886320791), at: (2.0840261218993423, 0), medium: Index(1.33))],
+        sources: [(light: Ray(from: (0, 0), direction: Angle(26.412763419346117)))]";
+
+    light_runs_along_an_edge_that_another_body_cuts: "surroundings: Index(1.5), bodies: [
+        (shape: Rectangle(2.7596163911205926, 2), at: (3, 0), medium: Index(1)),
+        (shape: Rectangle(3.7119266838517953, 4), at: (2, 0), rotate: -90, medium: Index(1.33))],
+        sources: [(light: Ray(from: (4, 0), direction: Towards((4, 1))))]";
+
+    light_runs_along_a_mirror_in_pieces: "bodies: [
+        (shape: Prism(apex_angle: 68.30213613463638, side: 4.846697630196237), at: (3, 3), medium: Index(1)),
+        (shape: Stop(opening: 0.6636471994483479, height: 6.860871774214376), at: (0, 3), rotate: -90, surface: Mirror),
+        (shape: HalfDisk(2.225587789584054), at: (1, 2), medium: Index(1))],
+        sources: [(light: Ray(from: (2, 3), direction: Towards((0, 3))))]";
+
+    light_runs_along_a_hypotenuse_into_a_disk: "bodies: [
+        (shape: RightAnglePrism(3), at: (-3, -2), medium: Index(1.5)),
+        (shape: HalfDisk(2), at: (-3, 1), rotate: -90, medium: Index(1))],
+        sources: [(light: Ray(from: (0, -2), direction: Towards((-6, 4))))]";
+
+    a_tangent_ray_starts_where_an_edge_touches_an_arc: "bodies: [
+        (shape: RightAnglePrism(4.8), at: (-2, 0), rotate: 180, medium: Index(1)),
+        (shape: LensGroup(diameter: 4, surfaces: [(radius: -2.5, thickness: 0.55, medium: Index(1.33)),
+            (radius: inf, thickness: 0.55, medium: Index(1)), (radius: inf)]), at: (-2, -3)),
+        (shape: Stop(opening: 0.5, height: 2.5), at: (-1, -1), rotate: -90, surface: Mirror)],
+        sources: [(light: Ray(from: (-2, -3), direction: Towards((-2, 0))))]";
+
+    a_ray_starts_where_a_mirror_touches_a_face: "surroundings: Index(1.33), bodies: [
+        (shape: HalfDisk(1), at: (-1, 1), rotate: 90, surface: Mirror),
+        (shape: Rectangle(2, 2.993483544783215), at: (0, 1), rotate: 90, medium: Index(1))],
+        sources: [(light: Ray(from: (-1, 2), direction: Angle(59.296596652744704)))]";
+
+    arcs_join_at_a_small_angle: "bodies: [(shape: Outline(start: (0, 0), path: [LineTo((2.6414313281422257, 0)),
+        LineTo((2.6414313281422257, 3.722442969756314)),
+        ArcTo(through: (1.3207156640711128, 5.043158633827427), to: (0, 3.722442969756314)),
+        ArcTo(through: (0.04624787298281572, 1.861221484878157), to: (0, 0))]),
+        at: (-9.411679105468666, 7.349167484674192), rotate: 31.879815557260795, medium: Index(1.5))],
+        sources: [(light: Ray(from: (18, 0), direction: Angle(0))),
+            (light: Ray(from: (0, 0), direction: Angle(131.12916662769672)))]";
+
+    a_ray_starts_at_the_seam_of_half_a_circle: "bodies: [(shape: Outline(start: (0, 0), path: [LineTo((2, 0)), LineTo((2, 2)),
+        LineTo((0, 2)), ArcTo(through: (-1, 1), to: (0, 0))]), at: (2, -2), rotate: 180, medium: Index(1.5))],
+        sources: [(light: Ray(from: (2, -2), direction: Towards((2, -3))))]";
+
+    a_ray_starts_at_the_origin_on_a_slanted_face: "bodies: [
+        (shape: HalfDisk(3.1204987039470025), medium: Index(1)),
+        (shape: RightAnglePrism(3), at: (2, -1), rotate: 90, medium: Index(1.33))],
+        sources: [(light: Ray(from: (0, 0), direction: Angle(0)))]";
+
+    a_ray_starts_where_two_faces_hide_in_equal_media: "surroundings: Index(1.5), bodies: [
+        (shape: Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), at: (88638.26942389272, -2.098076211353316), rotate: 210,
+            medium: Index(1)),
+        (shape: HalfDisk(1), at: (88637.40339848894, -2.598076211353316), rotate: -60, medium: Index(1.5))],
+        sources: [(light: Ray(from: (88637.40339848894, -2.598076211353316), direction: Towards((88635.90339848894, 0))))]";
+
+    a_line_starts_where_it_touches_an_arc: "bodies: [
+        (shape: Outline(start: (0, 0), path: [
+            ArcTo(through: (2.1325167753193077, -2.1325167753193077), to: (4.2650335506386154, 0)),
+            LineTo((4.2650335506386154, 4.387015646531087)),
+            ArcTo(through: (2.1325167753193077, 6.5195324218503945), to: (0, 4.387015646531087))]),
+            at: (-856.7324643475661, -0.6339745962155611), rotate: 30, surface: BeamSplitter(reflect: 0.4, transmit: 0)),
+        (shape: LensGroup(diameter: 4, surfaces: [(radius: inf, thickness: 0.55, medium: Index(1)),
+            (radius: inf, thickness: 0.55, medium: Index(1)), (radius: inf)]), at: (-855.7324643475661, -2.3660254037844384),
+            rotate: 30),
+        (shape: Disk(2), at: (-854.8664389437816, -1.8660254037844386), rotate: 30, medium: Index(1))],
+        sources: [(light: Ray(from: (-853.6343881362128, 0), direction: Angle(30)))]";
+
+    a_tangent_far_from_the_origin_rounds_with_its_place: "bodies: [
+        (shape: Disk(2), at: (-1.4041103363107732, 206498.34378013725), rotate: 218.14718420513998, medium: Index(1.33))],
+        sources: [(light: Ray(from: (-2.9769635642207106, 206497.10841269253),
+            direction: Towards((-2.3592798418649057, 206496.32198607858))))]";
+
+    a_cusp_between_a_rim_and_an_arc_lets_light_out: "bodies: [
+        (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), medium: Index(1.5)),
+        (shape: HalfDisk(1.5), medium: Index(1))],
+        sources: [(light: Ray(from: (0.498076211353316, 1.5), direction: Towards((-0.5019237886466841, 1.5))))]";
+
+    a_grazing_reflection_in_a_cusp_gets_out: "bodies: [
+        (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), medium: Index(1.5)),
+        (shape: Disk(1.5), rotate: 45, medium: Index(1))],
+        sources: [(light: Ray(from: (-0.498076211353316, -1.5), direction: Towards((0.5019237886466841, -1.5))))]";
+
+    a_ray_starts_an_ulp_beside_a_seam: "bodies: [
+        (shape: Disk(1.5), at: (1000000, -1000000), rotate: 90, medium: Index(1.5))],
+        sources: [(light: Ray(from: (1000000, -1000001.4999999977), direction: Towards((999999, -1000001.4999999977))))]";
+
+    a_direction_all_but_level_underflows: "bodies: [
+        (shape: Disk(1.5), medium: Index(1.5)), (shape: Disk(1.5), at: (1.5, 1.5), medium: Index(1.5))],
+        sources: [(light: Ray(from: (0.5804454433919036, 0), direction: Towards((1.5, -5e-324))))]";
+
+    two_edges_of_a_mirror_meet_at_a_reflex_corner: "bodies: [(shape: Polygon([(397574457.4778098, 334212373.101422),
+        (-82114702.56775172, 1111507750.4495432), (-329021699.74848145, 386860370.5227215),
+        (-2101221232.4409165, -74270799.89743441), (-1246171197.0863354, -1023695955.943905),
+        (-75190723.31701311, -2065416409.900918)]), rotate: 32.18726616170892, surface: Mirror)],
+        sources: [(light: Ray(from: (-366524415.6060007, -492777941.39104456),
+            direction: Towards((-484530827.0331384, 152138433.1486959))))]";
+
+    a_free_start_beside_a_face_that_another_body_bends_by_an_ulp: "bodies: [
+        (shape: HalfDisk(1.5), medium: Index(1.5)),
+        (shape: Polygon([(1.5167528122550262, 1.31713904539626), (0.4449643286220056, 2.2590647700688478),
+            (-0.6446751893996028, 1.2102899085542405), (-1.6178017445525557, 0.9790741465644587),
+            (-1.3853239993264714, -0.2072110075761471), (-0.4437588659064673, -0.393916517665799),
+            (-0.2099560500952516, -0.8239096128549455), (0.7360996165317478, -1.5247772425664152)]), at: (0, -2),
+            medium: Index(2)),
+        (shape: HalfDisk(1.5), rotate: 90, medium: Index(1)),
+        (shape: Disk(1.5), at: (1.5, 2), rotate: 90, medium: Index(1.5))],
+        sources: [(light: Ray(from: (0.023465520096562026, -0.14662660513243025),
+            direction: Towards((0.44496432862200563, 0.2590647700688477))))]";
+}
