@@ -33,7 +33,7 @@ pub(crate) struct Crossing {
 /// The first interface that the ray crosses; at a corner that two share, the one it passes first; of several others at one
 /// distance the first in the list. `None` if the ray leaves.
 pub(crate) fn nearest(interfaces: &[Interface], near: f64, ray: &Ray) -> Option<Crossing> {
-    let probe = Probe { ray, last: ray.last(interfaces), near };
+    let probe = Probe { interfaces, ray, last: ray.last(interfaces), near };
     let mut first: Option<Crossing> = None;
     for (interface, candidate) in interfaces.iter().enumerate() {
         for (distance, from_left) in probe.crossings(interface, candidate).into_iter().flatten() {
@@ -61,6 +61,7 @@ impl Ray {
 type Met = Option<(f64, bool)>;
 
 struct Probe<'a> {
+    interfaces: &'a [Interface],
     ray: &'a Ray,
     last: Option<(&'a Interface, bool)>,
     /// Distances below this are rounding.
@@ -102,13 +103,43 @@ impl Probe<'_> {
         if turn.abs() > self.near {
             return turn > 0.0;
         }
+        if self.ray.start != Start::Free {
+            return self.leaves_on_the_left(p);
+        }
         // A free start is as exact as it is given.
-        let exact = if self.ray.start == Start::Free { cross(self.ray.direction, to_vertex) } else { 0.0 };
-        if exact == 0.0 { self.leaves_on_the_left(p) } else { exact > 0.0 }
+        let exact = cross(self.ray.direction, to_vertex);
+        if exact == 0.0 { self.passed_by(vertex).unwrap_or(false) } else { exact > 0.0 }
     }
 
-    /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
-    /// away from the interface it stands on; any other ray has such vertices on its right.
+    /// Side on which a vertex counts that the line of a free ray runs through, by what ends there: a corner that the ray
+    /// only touches is passed by, the end of an open line is met. `None` where interfaces leave to both sides or along
+    /// the ray.
+    fn passed_by(&self, vertex: VertexId) -> Option<bool> {
+        let here = self.interfaces.iter().filter(|interface| interface.ends.contains(&vertex));
+        let sides: Option<Vec<bool>> = here.flat_map(|interface| self.leaving_sides(interface, vertex)).collect();
+        match sides?[..] {
+            [left] => Some(!left),
+            [left, ref others @ ..] => others.iter().all(|other| *other == left).then_some(left),
+            [] => None,
+        }
+    }
+
+    /// For each end of an interface at a vertex, whether the interface leaves it to the ray's left; `None` along the ray.
+    fn leaving_sides(&self, interface: &Interface, vertex: VertexId) -> Vec<Option<bool>> {
+        let reversed = interface.curve.reversed();
+        let from = [(interface.ends[0], &interface.curve), (interface.ends[1], &reversed)];
+        let side = |curve: &Curve| {
+            let tangent = curve.tangent_at(curve.a);
+            let turn = self.ray.direction.perp_dot(tangent);
+            let is_along = turn.abs() * curve.a.distance(curve.b) <= self.near;
+            let bend = if is_along { curve.curvature * self.ray.direction.dot(tangent) } else { turn };
+            (bend != 0.0).then_some(bend > 0.0)
+        };
+        from.into_iter().filter(|(end, _)| *end == vertex).map(|(_, curve)| side(curve)).collect()
+    }
+
+    /// Side on which a vertex counts that the line of a secondary ray runs through, up to rounding: true is left. The ray
+    /// tilts away from the interface it stands on.
     fn leaves_on_the_left(&self, p: DVec2) -> bool {
         self.last.is_some_and(|(last, heads_left)| {
             let along = last.curve.tangent_at(self.ray.from).dot(self.ray.direction) > 0.0;
@@ -155,7 +186,11 @@ impl Probe<'_> {
         };
         match self.passes_from_left(candidate) {
             Some(from_left) => [met(from_left), None],
-            None if roots.meets && self.cuts_off_bulge(candidate) => [met(true), met(false)],
+            // In through the outside first, and out again; a line that only touches does neither.
+            None if roots.meets && self.cuts_off_bulge(candidate) => {
+                let left_is_outside = candidate.curve.curvature < 0.0;
+                [met(left_is_outside), met(!left_is_outside)]
+            }
             None => [None, None],
         }
     }
