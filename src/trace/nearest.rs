@@ -8,7 +8,7 @@
 use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
-use crate::numerics::{cross, side};
+use crate::numerics::{cross, side, side_of_ray};
 use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
@@ -103,8 +103,10 @@ impl Probe<'_> {
             return turn > 0.0;
         }
         // A free start is as exact as it is given.
-        let exact = if self.ray.start == Start::Free { cross(self.ray.direction, to_vertex) } else { 0.0 };
-        if exact == 0.0 { self.leaves_on_the_left(p) } else { exact > 0.0 }
+        match self.ray.start {
+            Start::Free => side_of_ray(self.ray.from, self.ray.direction, p) > 0.0,
+            _ => self.leaves_on_the_left(p),
+        }
     }
 
     /// Side of a ray on which a vertex counts that the ray's line runs through, up to rounding: true is left. The ray tilts
@@ -135,6 +137,8 @@ impl Probe<'_> {
         let distance = distance.max(a.min(b)).min(a.max(b));
         let ahead = if self.touches_last(candidate) {
             self.ahead(candidate, distance)?
+        } else if is_along && a.min(b) > 0.0 {
+            distance
         } else {
             // Ahead if the ray starts on the side that it comes from.
             let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);
