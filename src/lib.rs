@@ -34,9 +34,9 @@
 //!
 //! # Units and signs
 //!
-//! - Lengths are in one unit of the scene's author, taken as millimetres; x points right, y up.
+//! - Lengths are in one unit of the scene's author, taken as millimeters; x points right, y up.
 //! - Angles are degrees, counter-clockwise positive; angles of incidence and transmission count from the normal, 0 to 90.
-//! - Wavelengths are vacuum wavelengths in nanometres; refractive indices are absolute.
+//! - Wavelengths are vacuum wavelengths in nanometers; refractive indices are absolute.
 //! - V is the unit direction of the incoming ray, N the unit normal against it (N·V < 0), C1 and S1 are cosine and sine of
 //!   the angle of incidence, C2 and S2 of the angle of transmission, η = n_t/n_i.
 //! - s polarization: electric field perpendicular to the drawing plane (TE). p: in the plane (TM).

@@ -113,7 +113,7 @@ pub(super) fn opacity(strength: f64) -> f64 {
 /// How rays are drawn in this figure.
 pub(super) struct Styles<'a> {
     figure: &'a Figure<'a>,
-    /// Bits of every wavelength in nanometres; for numbers above 0 their order is the numbers'.
+    /// Bits of every wavelength in nanometers; for numbers above 0 their order is the numbers'.
     lines: BTreeSet<u64>,
     /// Factor on all widths.
     crowding: f64,
@@ -122,7 +122,7 @@ pub(super) struct Styles<'a> {
 impl<'a> Styles<'a> {
     pub(super) fn new(figure: &'a Figure<'a>) -> Self {
         let rays = &figure.tree.rays;
-        let lines: BTreeSet<u64> = rays.iter().map(|ray| ray.wavelength.nanometres().to_bits()).collect();
+        let lines: BTreeSet<u64> = rays.iter().map(|ray| ray.wavelength.nanometers().to_bits()).collect();
         let strong = rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)).count();
         Self { figure, lines, crowding: (UNCROWDED / number(strong)).sqrt().clamp(0.45, 1.0) }
     }
@@ -176,7 +176,7 @@ impl<'a> Styles<'a> {
         if !few || branch.together || self.figure.scene.diagram.theme != Theme::Print {
             return 0;
         }
-        let bits = branch.ray.wavelength.nanometres().to_bits();
+        let bits = branch.ray.wavelength.nanometers().to_bits();
         self.lines.iter().position(|line| *line == bits).unwrap_or(0)
     }
 }

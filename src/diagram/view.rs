@@ -72,7 +72,7 @@ fn crossings(drawn: &Drawn<'_>, things: &Extent, aspect: f64) -> Vec<DVec2> {
     let strong = drawn.iter().filter(|(_, segment, share)| *share >= STRONG && segment.ending == Ending::Escaped);
     let mut path_of = PathOf::default();
     for (ray, segment, _) in strong {
-        let key = (ray.wavelength.nanometres().to_bits(), path_of.path(ray, segment));
+        let key = (ray.wavelength.nanometers().to_bits(), path_of.path(ray, segment));
         bundles.entry(key).or_default().push((ray, segment));
     }
     let pairs = bundles.values().flat_map(|bundle| bundle.windows(2));

@@ -8,7 +8,7 @@ use crate::numerics::{atan, cross, sin};
 /// A directed straight edge or circular arc from `a` to `b`.
 ///
 /// `n` points to the left of the direction of travel at `m`. An arc with positive `curvature` turns left: its center
-/// `m + n / curvature` lies on its left and it bulges to the right of its chord. Lengths are scene units (millimetres).
+/// `m + n / curvature` lies on its left and it bulges to the right of its chord. Lengths are scene units (millimeters).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {
     /// First end.

@@ -33,7 +33,7 @@ struct Linear([f64; 3]);
 /// dim violet or deep red stands for what the eye does not see.
 #[must_use]
 pub fn spectral_color(wavelength: Wavelength) -> [u8; 3] {
-    let nm = wavelength.nanometres();
+    let nm = wavelength.nanometers();
     let color = Linear::of_spectrum(nm.clamp(HUES.0, HUES.1)).clipped();
     let strongest = color.0.into_iter().fold(f64::MIN_POSITIVE, f64::max);
     color.scaled(brightness(nm) / strongest).encoded(f64::round)
@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     fn color_of(nm: f64) -> [u8; 3] {
-        spectral_color(Wavelength::from_nanometres(nm).unwrap())
+        spectral_color(Wavelength::from_nanometers(nm).unwrap())
     }
 
     fn luminance(color: [u8; 3]) -> f64 {

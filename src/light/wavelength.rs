@@ -1,4 +1,4 @@
-/// A vacuum wavelength in nanometres, finite and above 0.
+/// A vacuum wavelength in nanometers, finite and above 0.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Wavelength(f64);
 
@@ -18,21 +18,21 @@ impl Wavelength {
     /// The red hydrogen C line, 656.2725 nm, the long end of the Abbe number.
     pub const HYDROGEN_C: Self = Self(656.2725);
 
-    /// The wavelength `nm` nanometres; `None` unless finite and above 0.
+    /// The wavelength `nm` nanometers; `None` unless finite and above 0.
     #[must_use]
-    pub fn from_nanometres(nm: f64) -> Option<Self> {
+    pub fn from_nanometers(nm: f64) -> Option<Self> {
         (nm.is_finite() && nm > 0.0).then_some(Self(nm))
     }
 
-    /// The wavelength in nanometres.
+    /// The wavelength in nanometers.
     #[must_use]
-    pub fn nanometres(self) -> f64 {
+    pub fn nanometers(self) -> f64 {
         self.0
     }
 
-    /// The wavelength in micrometres, the unit of dispersion formulas.
+    /// The wavelength in micrometers, the unit of dispersion formulas.
     #[must_use]
-    pub fn micrometres(self) -> f64 {
+    pub fn micrometers(self) -> f64 {
         self.0 / 1000.0
     }
 }

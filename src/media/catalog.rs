@@ -144,7 +144,7 @@ mod tests {
             assert!(from <= 480.0 && 700.0 <= to, "{name} does not cover F to C");
             for k in 0..=100 {
                 let nm = from + (to - from) * f64::from(k) / 100.0;
-                let wavelength = Wavelength::from_nanometres(nm.clamp(from, to)).unwrap();
+                let wavelength = Wavelength::from_nanometers(nm.clamp(from, to)).unwrap();
                 assert!(entry.dispersion().check(wavelength).is_ok(), "{name} at {nm} nm");
             }
         }
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn a_wavelength_out_of_range_is_an_error_with_the_range() {
         let bk7 = find("N-BK7").unwrap().dispersion();
-        let error = bk7.check(Wavelength::from_nanometres(200.0).unwrap()).unwrap_err();
+        let error = bk7.check(Wavelength::from_nanometers(200.0).unwrap()).unwrap_err();
         assert!(matches!(error, MediumError::OutOfRange { medium: "N-BK7", .. }));
         assert_eq!(error.to_string(), "the index of N-BK7 is known from 300 nm to 2500 nm, not at 200 nm");
     }

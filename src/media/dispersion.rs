@@ -29,7 +29,7 @@ impl Dispersion {
         Ok(Self::of_user(Formula::Constant(n)))
     }
 
-    /// Cauchy's formula n = A + B/λ² + C/λ⁴ + …, λ in micrometres, any number of coefficients. Zeros at the end are no
+    /// Cauchy's formula n = A + B/λ² + C/λ⁴ + …, λ in micrometers, any number of coefficients. Zeros at the end are no
     /// terms: A alone is a constant index.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ impl Dispersion {
         }
     }
 
-    /// Sellmeier's formula n² = 1 + Σ B λ²/(λ² − C), λ in micrometres, any number of terms (B, C), C in µm².
+    /// Sellmeier's formula n² = 1 + Σ B λ²/(λ² − C), λ in micrometers, any number of terms (B, C), C in µm².
     ///
     /// # Errors
     /// No terms, or a coefficient that is not finite.
@@ -71,7 +71,7 @@ impl Dispersion {
     /// gives, be it NaN.
     #[must_use]
     pub fn index(&self, wavelength: Wavelength) -> f64 {
-        self.formula.index(wavelength.micrometres())
+        self.formula.index(wavelength.micrometers())
     }
 
     /// The index at a vacuum wavelength, if the formula holds there and gives a possible one.
@@ -79,7 +79,7 @@ impl Dispersion {
     /// # Errors
     /// The wavelength is out of range, or the index is below 1 or not finite.
     pub fn check(&self, wavelength: Wavelength) -> Result<f64, MediumError> {
-        let (range, medium, wavelength_nm) = (self.range_nm, self.name, wavelength.nanometres());
+        let (range, medium, wavelength_nm) = (self.range_nm, self.name, wavelength.nanometers());
         if !(range.0..=range.1).contains(&wavelength_nm) {
             return Err(MediumError::OutOfRange { medium, wavelength: wavelength_nm, range });
         }
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     fn nm(nm: f64) -> Wavelength {
-        Wavelength::from_nanometres(nm).unwrap()
+        Wavelength::from_nanometers(nm).unwrap()
     }
 
     #[test]

@@ -44,7 +44,7 @@ impl fmt::Display for MediumError {
             Self::NoIndex { wavelength } => {
                 write!(
                     f,
-                    "the dispersion formula gives no refractive index at {wavelength} nm (λ counts in micrometres there)"
+                    "the dispersion formula gives no refractive index at {wavelength} nm (λ counts in micrometers there)"
                 )
             }
             Self::BelowOne { wavelength, index } => write!(

@@ -1,4 +1,4 @@
-//! Dispersion formulas, λ in micrometres throughout: Hecht, "Optics", 4th ed., section 3.5.1; Born & Wolf, "Principles of
+//! Dispersion formulas, λ in micrometers throughout: Hecht, "Optics", 4th ed., section 3.5.1; Born & Wolf, "Principles of
 //! Optics", 7th ed., section 2.3.4; forms and coefficients as the refractiveindex.info database numbers them.
 
 use serde::Deserialize;
@@ -23,7 +23,7 @@ pub(super) enum Formula {
 }
 
 impl Formula {
-    /// The index at a vacuum wavelength in micrometres; NaN or infinite where the formula breaks down.
+    /// The index at a vacuum wavelength in micrometers; NaN or infinite where the formula breaks down.
     pub(super) fn index(&self, wavelength: f64) -> f64 {
         let square = wavelength * wavelength;
         match self {

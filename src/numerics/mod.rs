@@ -6,6 +6,6 @@ mod sum;
 mod trig;
 
 pub use cross::cross;
-pub use predicates::side;
+pub use predicates::{side, side_of_ray};
 pub use sum::Sum;
 pub use trig::{Turn, acos_degrees, asin_degrees, atan, atan2_degrees, exp, pow, sin, tan_degrees};

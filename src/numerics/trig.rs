@@ -15,13 +15,16 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// The turn by an angle in degrees. Multiples of 90° are exact, and angles that mirror each other give the same bits.
+    /// The turn by an angle in degrees. Multiples of 90° and halves such as sin 30° are exact, and angles that mirror each other give the same bits.
     #[must_use]
     pub fn degrees(angle: f64) -> Self {
         let reduced = angle % 360.0;
         let quarter = (reduced / 90.0).round_ties_even();
-        let rest = (reduced - quarter * 90.0) * RADIANS_PER_DEGREE;
-        let (sin, cos) = libm::sincos(rest);
+        let rest = reduced - quarter * 90.0;
+        let (sin, cos) = libm::sincos(rest * RADIANS_PER_DEGREE);
+        // The radian of 30° is rounded; its sine is a half.
+        #[expect(clippy::float_cmp, reason = "30° itself")]
+        let sin = if rest.abs() == 30.0 { 0.5_f64.copysign(rest) } else { sin };
         let (cos, sin) = match quarter.rem_euclid(4.0) {
             0.0 => (cos, sin),
             1.0 => (-sin, cos),
@@ -102,6 +105,14 @@ mod tests {
     fn quarter_turns_are_exact() {
         for (angle, cos, sin) in [(0.0, 1.0, 0.0), (90.0, 0.0, 1.0), (-180.0, -1.0, 0.0), (630.0, 0.0, -1.0)] {
             assert_eq!(Turn::degrees(angle), Turn { cos, sin }, "{angle}°");
+        }
+    }
+
+    #[test]
+    fn halves_are_exact() {
+        for (angle, sin) in [(30.0, 0.5), (150.0, 0.5), (-30.0, -0.5), (210.0, -0.5)] {
+            assert_eq!(Turn::degrees(angle).sin, sin, "sin {angle}°");
+            assert_eq!(Turn::degrees(angle - 90.0).cos, sin, "cos {}°", angle - 90.0);
         }
     }
 

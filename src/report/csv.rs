@@ -102,7 +102,7 @@ impl Row {
         Self {
             source: ray.source,
             ray: ray.ray,
-            wavelength_nm: Number(ray.wavelength.nanometres()),
+            wavelength_nm: Number(ray.wavelength.nanometers()),
             id: segment.id.0,
             parent: segment.parent.map(|parent| parent.0),
             via: segment.via.word(),

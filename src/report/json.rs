@@ -174,7 +174,7 @@ impl Landed {
         Self {
             source: hit.source,
             ray: hit.ray,
-            wavelength_nm: Number(hit.wavelength.nanometres()),
+            wavelength_nm: Number(hit.wavelength.nanometers()),
             segment: hit.segment.0,
             position: Number(hit.position),
             power: Number(hit.power),
@@ -187,7 +187,7 @@ impl<'a> Ray<'a> {
         Self {
             source: ray.source,
             ray: ray.ray,
-            wavelength_nm: Number(ray.wavelength.nanometres()),
+            wavelength_nm: Number(ray.wavelength.nanometers()),
             power: Number(ray.power),
             segments: Segments(system, &ray.segments),
         }

@@ -54,7 +54,7 @@ const COLUMNS: usize = 7;
 
 impl Report<'_> {
     fn ray(&self, out: &mut impl Write, ray: &TracedRay) -> io::Result<()> {
-        let (name, nm, power) = (ray.name(), ray.wavelength.nanometres(), significant(ray.power));
+        let (name, nm, power) = (ray.name(), ray.wavelength.nanometers(), significant(ray.power));
         writeln!(out, "ray {name}  {nm} nm  power {power}")?;
         let lines: Vec<_> = depths(ray)
             .into_iter()

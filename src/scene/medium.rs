@@ -9,9 +9,9 @@ pub enum Medium {
     Index(f64),
     /// The phase speed of light v in m/s, 0 < v ≤ c; n = c/v.
     Speed(f64),
-    /// Cauchy's formula n = A + B/λ² + C/λ⁴ …, λ in micrometres.
+    /// Cauchy's formula n = A + B/λ² + C/λ⁴ …, λ in micrometers.
     Cauchy(Vec<f64>),
-    /// Sellmeier's formula n² = 1 + Σ Bᵢ λ²/(λ² − Cᵢ), λ in micrometres.
+    /// Sellmeier's formula n² = 1 + Σ Bᵢ λ²/(λ² − Cᵢ), λ in micrometers.
     Sellmeier {
         /// B₁ to B₃, no unit.
         b: [f64; 3],
@@ -59,7 +59,7 @@ fn speed_problem(error: IndexError) -> Problem {
 
 fn formula(dispersion: Result<Dispersion, MediumError>, path: &str) -> Result<Dispersion, Problem> {
     dispersion.map_err(|error| {
-        let help = "write finite coefficients; λ counts in micrometres in them";
+        let help = "write finite coefficients; λ counts in micrometers in them";
         Problem::error(path, error.to_string(), help).label("not a formula")
     })
 }

@@ -32,7 +32,7 @@ pub use tracing::{SecondaryRays, TraceSettings};
 
 /// A whole scene, as its file describes it.
 ///
-/// Lengths are millimetres, angles degrees counter-clockwise, x to the right and y up.
+/// Lengths are millimeters, angles degrees counter-clockwise, x to the right and y up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Heading of the figure; may be empty.

@@ -67,7 +67,7 @@ pub enum Direction {
     Towards(DVec2),
 }
 
-/// Spectral lines of a source, vacuum wavelengths in nanometres.
+/// Spectral lines of a source, vacuum wavelengths in nanometers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spectrum {
     /// One line.
@@ -101,7 +101,7 @@ impl Default for Spectrum {
 }
 
 impl Spectrum {
-    /// The lines in order, in nanometres.
+    /// The lines in order, in nanometers.
     #[must_use]
     pub fn lines(&self) -> Vec<f64> {
         match self {

@@ -85,7 +85,7 @@ impl OpticalSystem {
     #[must_use]
     pub fn wavelengths(&self) -> Vec<Wavelength> {
         let mut lines: Vec<_> = self.sources.iter().flat_map(|source| source.lines.iter().copied()).collect();
-        lines.sort_by(|a, b| a.nanometres().total_cmp(&b.nanometres()));
+        lines.sort_by(|a, b| a.nanometers().total_cmp(&b.nanometers()));
         lines.dedup();
         lines
     }

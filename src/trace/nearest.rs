@@ -8,7 +8,7 @@
 use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
-use crate::numerics::{cross, side};
+use crate::numerics::{cross, side, side_of_ray};
 use crate::system::{Interface, MediumId, Start, VertexId};
 
 /// A ray on its way.
@@ -107,7 +107,7 @@ impl Probe<'_> {
             return self.leaves_on_the_left(p);
         }
         // A free start is as exact as it is given.
-        let exact = cross(self.ray.direction, to_vertex);
+        let exact = side_of_ray(self.ray.from, self.ray.direction, p);
         if exact == 0.0 { self.passed_by(vertex).unwrap_or(false) } else { exact > 0.0 }
     }
 
@@ -166,6 +166,8 @@ impl Probe<'_> {
         let distance = distance.max(a.min(b)).min(a.max(b));
         let ahead = if self.touches_last(candidate) {
             self.ahead(candidate, distance)?
+        } else if is_along && a.min(b) > 0.0 {
+            distance
         } else {
             // Ahead if the ray starts on the side that it comes from.
             let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);

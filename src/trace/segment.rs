@@ -186,7 +186,7 @@ impl TracedRay {
     pub fn name(&self) -> String {
         let Self { source, ray, .. } = self;
         if self.one_of_several_lines {
-            format!("{source}.{ray}@{}", self.wavelength.nanometres())
+            format!("{source}.{ray}@{}", self.wavelength.nanometers())
         } else {
             format!("{source}.{ray}")
         }

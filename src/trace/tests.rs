@@ -146,3 +146,41 @@ fn a_silvered_ball_returns_the_ray_through_the_seam_of_its_silver() {
         assert_eq!(trace.tree.rays[0].segments[3].direction, DVec2::NEG_X);
     }
 }
+
+#[test]
+fn light_that_touches_a_mirror_goes_on() {
+    let disk = || vec![body(Shape::Disk { radius: 10.0 }, Substance::Surface(Surface::Mirror))];
+    for (from, angle) in [
+        ((-40.0, 10.0), 0.0),
+        ((-40.0, -10.0), 0.0),
+        ((40.0, 10.0), 180.0),
+        ((10.0, -40.0), 90.0),
+        ((-10.0, -40.0), 90.0),
+        ((10.0, 40.0), -90.0),
+    ] {
+        let trace = traced(disk(), ray(from, angle));
+        let last = trace.tree.rays[0].segments.last().unwrap();
+        assert_eq!((last.ending, last.direction), (Ending::Escaped, trace.tree.rays[0].segments[0].direction));
+        assert!(trace.tree.rays[0].segments.len() <= 2, "from {from:?} at {angle}°");
+    }
+}
+
+#[test]
+fn both_ends_of_a_stop_stop_what_meets_them() {
+    for y in [-20.0, -5.0, 5.0, 20.0] {
+        for (x, angle) in [(-40.0, 0.0), (40.0, 180.0)] {
+            let stop = body(Shape::Stop { opening: 10.0, height: 40.0 }, Substance::Surface(Surface::Absorber));
+            let trace = traced(vec![stop], ray((x, y), angle));
+            assert_eq!(trace.tree.rays[0].segments[0].ending, Ending::Absorbed, "y = {y} from x = {x}");
+        }
+    }
+}
+
+#[test]
+fn a_corner_that_light_only_touches_is_passed_by_on_either_side() {
+    let diamond = [(2.0, 0.0), (0.0, 2.0), (-2.0, 0.0), (0.0, -2.0)].map(DVec2::from).to_vec();
+    for (from, angle) in [((-9.0, 2.0), 0.0), ((-9.0, -2.0), 0.0), ((9.0, 2.0), 180.0), ((2.0, -9.0), 90.0)] {
+        let trace = traced(vec![glass(Shape::Polygon(diamond.clone()))], ray(from, angle));
+        assert_eq!(trace.tree.rays[0].segments[0].ending, Ending::Escaped, "from {from:?} at {angle}°");
+    }
+}

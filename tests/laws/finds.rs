@@ -139,4 +139,19 @@ finds! {
         (shape: Disk(1.5), at: (1.5, 2), rotate: 90, medium: Index(1.5))],
         sources: [(light: Ray(from: (0.023465520096562026, -0.14662660513243025),
             direction: Towards((0.44496432862200563, 0.2590647700688477))))]";
+
+    a_free_start_on_a_hidden_part_of_an_edge: "bodies: [(shape: Rectangle(2, 1.5), medium: Index(1.5)),
+        (shape: Polygon([(1.3738033621864554, 1.3661895560391546), (0.2836785474822929, 0.9965901139245097),
+            (-1.0079368415095138, 2.2554181421033594), (-0.4601291390238735, 0.3610729166653866),
+            (-2.0943614130436723, 0.20296295629173464), (-1.7483919055752248, -1.2713793822489377),
+            (-0.7676186408721295, -1.6554545030928853), (0.1841323483952831, -0.5938293387240147)]), at: (-2, 0),
+            rotate: 180, medium: Index(1.5))],
+        sources: [(light: Ray(from: (0.09436141270967906, -0.20296295486842897),
+            direction: Towards((-0.25160809442477516, 1.2713793822489377))))]";
+
+    light_drifts_along_a_face_far_ahead: "bodies: [(shape: Disk(1.5), medium: Index(1.5)),
+        (shape: Rectangle(2, 1.5), at: (0, -2), rotate: 90, medium: Index(2)),
+        (shape: Disk(1.5), at: (1.5, -1.5), medium: Index(1)),
+        (shape: Rectangle(2, 1.5), at: (-2, 0), rotate: 180, medium: Index(1.5))],
+        sources: [(light: Ray(from: (-1, 0.75), direction: Towards((-2, 0.75))))]";
 }

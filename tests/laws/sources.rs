@@ -67,13 +67,13 @@ fn towards_has_no_trouble_with_magnitudes() {
 fn lines_and_power_are_shared_equally() {
     let light = "light: Fan(from: (0, 0), direction: Angle(0), spread: 10, rays: 2)";
     let white = rays(&format!("({light}, spectrum: White(samples: 3), power: 12)"));
-    let lines: Vec<_> = white.iter().map(|ray| (ray.ray, ray.wavelength.nanometres(), ray.power)).collect();
+    let lines: Vec<_> = white.iter().map(|ray| (ray.ray, ray.wavelength.nanometers(), ray.power)).collect();
     assert_eq!(
         lines,
         [(0, 420.0, 2.0), (0, 560.0, 2.0), (0, 700.0, 2.0), (1, 420.0, 2.0), (1, 560.0, 2.0), (1, 700.0, 2.0)]
     );
-    assert_eq!(rays(&format!("({light}, spectrum: White(samples: 1))"))[0].wavelength.nanometres(), 560.0);
-    assert_eq!(rays(&format!("({light})"))[0].wavelength.nanometres(), 587.5618);
+    assert_eq!(rays(&format!("({light}, spectrum: White(samples: 1))"))[0].wavelength.nanometers(), 560.0);
+    assert_eq!(rays(&format!("({light})"))[0].wavelength.nanometers(), 587.5618);
     for (name, power) in
         [("Unpolarized", Power { s: 2.0, p: 2.0 }), ("S", Power { s: 4.0, p: 0.0 }), ("P", Power { s: 0.0, p: 4.0 })]
     {

@@ -91,11 +91,11 @@ fn colors_stand_in_the_bow(rays: &[TracedRay], reflections: u32, angle: impl Fn(
 }
 
 fn violet() -> f64 {
-    index_at("water", Wavelength::from_nanometres(420.0).unwrap())
+    index_at("water", Wavelength::from_nanometers(420.0).unwrap())
 }
 
 fn red() -> f64 {
-    index_at("water", Wavelength::from_nanometres(700.0).unwrap())
+    index_at("water", Wavelength::from_nanometers(700.0).unwrap())
 }
 
 fn the_sky_stands_in_a_cone(run: &Run) {

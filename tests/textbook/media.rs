@@ -28,7 +28,7 @@ fn index_of_every_medium_at_every_line() {
         ));
         assert_eq!(trace.tree.rays.len(), LINES.len());
         for ((line, nanometers), ray) in LINES.iter().zip(&trace.tree.rays) {
-            close(ray.wavelength.nanometres(), *nanometers, 0.0, &row.what);
+            close(ray.wavelength.nanometers(), *nanometers, 0.0, &row.what);
             close(ray.segments[1].medium_index, row.number(line), 1e-9, &format!("{line} in {}", row.what));
         }
     }

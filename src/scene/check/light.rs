@@ -114,7 +114,7 @@ fn check_line(c: &mut Checker, path: &str, nm: f64) -> bool {
     c.finite(path, "the wavelength", nm)
         && c.require(nm > 0.0, || {
             let message = format!("a wavelength must be above 0 nm, not {}", show(nm));
-            Problem::error(path, message, "write a vacuum wavelength in nanometres; visible light has 380 to 780")
+            Problem::error(path, message, "write a vacuum wavelength in nanometers; visible light has 380 to 780")
                 .label("not a wavelength")
         })
 }

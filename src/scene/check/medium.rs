@@ -29,7 +29,7 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
     if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
         return None;
     }
-    let mut lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometres);
+    let mut lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometers);
     let error = lines.find_map(|line| dispersion.check(line).err())?;
     let name = match medium {
         Medium::Catalog(name) => format!("`{name}`"),
@@ -47,11 +47,11 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
             let message = format!(
                 "{name} of `{owner}` has the index {index} at {wavelength} nm, below 1: faster than light in vacuum"
             );
-            Problem::error(owner, message, "correct the coefficients; λ counts in micrometres in them").label("below 1")
+            Problem::error(owner, message, "correct the coefficients; λ counts in micrometers in them").label("below 1")
         }
         other => {
             let message = format!("{name} of `{owner}` has no index for this light: {other}");
-            Problem::error(owner, message, "correct the coefficients; λ counts in micrometres in them")
+            Problem::error(owner, message, "correct the coefficients; λ counts in micrometers in them")
                 .label("no index")
         }
     })
