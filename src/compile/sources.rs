@@ -112,7 +112,11 @@ impl Ground<'_> {
     }
 
     fn on_wall(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
-        let holds = |wall: &Interface| lies_on(&wall.curve, from, self.contact(from, &wall.curve));
+        let holds = |wall: &Interface| {
+            let Interface { curve, .. } = wall;
+            let is_on = curve.is_straight() && side(curve.a, curve.b, from) == 0.0 && lies_on(curve, from, self.near);
+            is_on || lies_on(curve, from, self.contact(from, curve))
+        };
         // An interface before a boundary that touches it between equal media.
         let interface = self.walls.iter().position(|wall| is_interface(wall) && holds(wall));
         let place = interface.or_else(|| self.walls.iter().position(holds))?;

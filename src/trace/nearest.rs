@@ -164,10 +164,10 @@ impl Probe<'_> {
         let is_along = across.abs() * (a - b).abs() <= self.near;
         let distance = if is_along { 0.0 } else { n.dot(m - self.ray.from) / across };
         let distance = distance.max(a.min(b)).min(a.max(b));
-        let ahead = if self.touches_last(candidate) {
-            self.ahead(candidate, distance)?
-        } else if is_along && a.min(b) > 0.0 {
+        let ahead = if is_along && a.min(b) > self.near {
             distance
+        } else if self.touches_last(candidate) {
+            self.ahead(candidate, distance)?
         } else {
             // Ahead if the ray starts on the side that it comes from.
             let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);
@@ -189,12 +189,19 @@ impl Probe<'_> {
         match self.passes_from_left(candidate) {
             Some(from_left) => [met(from_left), None],
             // In through the outside first, and out again; a line that only touches does neither.
-            None if roots.meets && self.cuts_off_bulge(candidate) => {
+            None if roots.meets && self.cuts_off_bulge(candidate) && !self.touches(&roots, candidate) => {
                 let left_is_outside = candidate.curve.curvature < 0.0;
                 [met(left_is_outside), met(!left_is_outside)]
             }
             None => [None, None],
         }
+    }
+
+    /// Whether the ray only touches a circle ahead, up to rounding: the cap of chord L that it cuts off is L²κ/8 high.
+    fn touches(&self, roots: &CircleRoots, candidate: &Interface) -> bool {
+        let chord = roots.from_left - roots.from_right;
+        let height = chord * chord * candidate.curve.curvature.abs() / 8.0;
+        roots.from_left.min(roots.from_right) > self.near && height <= self.near
     }
 
     /// For an arc whose ends lie on one side of the ray's line, and a line that meets its circle: whether the arc is what

@@ -154,4 +154,17 @@ finds! {
         (shape: Disk(1.5), at: (1.5, -1.5), medium: Index(1)),
         (shape: Rectangle(2, 1.5), at: (-2, 0), rotate: 180, medium: Index(1.5))],
         sources: [(light: Ray(from: (-1, 0.75), direction: Towards((-2, 0.75))))]";
+
+    a_start_between_the_ends_of_a_bent_edge: "bodies: [
+        (shape: Polygon([(0.33250149104009846, 1.2740781398170868), (-1.947044736282836, 1.284383136464474),
+            (-0.7377870854391321, -0.682086604815762), (0.26934975606939726, -0.44762621849115114)]), medium: Index(1.5)),
+        (shape: Outline(start: (0, 0), path: [LineTo((2, 0)), ArcTo(through: (3, 1), to: (2, 2)), LineTo((0, 2)),
+            ArcTo(through: (-1, 1), to: (0, 0))]), at: (1.5, -2), rotate: 45, medium: Index(1))],
+        sources: [(light: Ray(from: (0.21768838630831888, -0.45388448894549116),
+            direction: Towards((2.9142135623730945, -0.5857864376269052))))]";
+
+    a_face_touches_a_disk_of_the_same_glass: "bodies: [(shape: HalfDisk(1.5), medium: Index(1.5)),
+        (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), at: (-1.5, -1.5), rotate: 180, medium: Index(2)),
+        (shape: Disk(1.5), at: (-1.5, 0), rotate: 180, medium: Index(1.5))],
+        sources: [(light: Ray(from: (0, -0.6795620009953999), direction: Towards((0, -1.5))))]";
 }
