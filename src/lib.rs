@@ -34,6 +34,7 @@
 //!
 //! # Units and signs
 //!
+//! - Points and directions are [`glam::DVec2`], re-exported, so that a crate of one's own needs no matching version of glam.
 //! - Lengths are in one unit of the scene's author, taken as millimeters; x points right, y up.
 //! - Angles are degrees, counter-clockwise positive; angles of incidence and transmission count from the normal, 0 to 90.
 //! - Wavelengths are vacuum wavelengths in nanometers; refractive indices are absolute.
@@ -69,6 +70,9 @@ pub mod cli;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The vector library of the public interface: points, directions and normals are its `DVec2`.
+pub use glam;
 
 pub use compile::{Compiled, compile};
 pub use scene::Scene;

@@ -2,58 +2,41 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod support;
+
 use glam::DVec2;
 use proptest::prelude::*;
 use snellius::laws::{
-    Refraction, brewster_angle, critical_angle, fresnel, reflect, refract, refract_by_notes, relative_index,
+    Refraction, brewster_angle, critical_angle, fresnel, reflect, refract, refract_vector_form, relative_index,
 };
 use snellius::light::FRAUNHOFER;
 use snellius::media::catalog;
 use snellius::numerics::{Turn, asin_degrees, cross};
 
+use support::tables::{close, table};
+
 /// Unit roundoff of f64.
 const U: f64 = f64::EPSILON / 2.0;
 const N: DVec2 = DVec2::NEG_X;
 
-/// The rows of a table in `tests/truth`, as text by column.
-fn table(name: &str) -> Vec<Vec<String>> {
-    let path = format!("{}/tests/truth/{name}", env!("CARGO_MANIFEST_DIR"));
-    let mut reader = csv::ReaderBuilder::new().flexible(true).from_path(path).unwrap();
-    reader.records().map(|row| row.unwrap().iter().map(str::to_owned).collect()).collect()
-}
-
-/// A number or a fraction such as `4/3`.
-fn number(text: &str) -> f64 {
-    match text.split_once('/') {
-        Some((a, b)) => number(a) / number(b),
-        None => text.parse().unwrap(),
-    }
-}
-
-#[track_caller]
-fn close(actual: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!((actual - expected).abs() <= tolerance, "{what}: {actual} is not {expected}");
-}
-
 #[test]
 fn fresnel_equations() {
     let mut transmitted = 0;
-    for row in table("fresnel.csv") {
-        let (n_i, n_t) = (number(&row[0]), number(&row[1]));
-        let what = format!("{} to {} at {}°", row[0], row[1], row[2]);
-        match refract(Turn::degrees(number(&row[2])).direction(), N, n_i, n_t) {
-            Refraction::TotalInternalReflection { .. } => assert_eq!(row[13], "TIR", "{what}"),
+    for row in table("fresnel.csv", 195) {
+        let (n_i, n_t, what) = (row.number("n1"), row.number("n2"), &row.what);
+        match refract(Turn::degrees(row.number("theta_i_deg")).direction(), N, n_i, n_t) {
+            Refraction::TotalInternalReflection { .. } => assert_eq!(row.text("flag"), "TIR", "{what}"),
             Refraction::Refracted { cos_i, sin_i, cos_t, sin_t, .. } => {
                 transmitted += 1;
-                close(asin_degrees(sin_t), number(&row[3]), 1e-12 / cos_t, &what);
+                close(asin_degrees(sin_t), row.number("theta_t_deg"), 1e-12 / cos_t, what);
                 let f = fresnel(n_i, n_t, cos_i, sin_i, cos_t, sin_t);
                 // An angle of incidence rounded by 2 U moves r_p by 4 U (n_i/n_t)²/C2 near the critical angle, and R by twice that.
                 let tolerance = 1e-14_f64.max(16.0 * U * (n_i / n_t) * (n_i / n_t) / cos_t);
                 let actual = [f.r_s, f.r_p, f.reflectance.s, f.reflectance.p, f.transmittance.s, f.transmittance.p];
-                for (actual, expected) in actual.into_iter().zip(&row[4..10]) {
-                    close(actual, number(expected), tolerance, &what);
+                for (actual, column) in actual.into_iter().zip(["r_s", "r_p", "R_s", "R_p", "T_s", "T_p"]) {
+                    close(actual, row.number(column), tolerance, &format!("{column} in {what}"));
                 }
-                close(0.5 * f.reflectance.total(), number(&row[10]), tolerance, &what);
+                close(0.5 * f.reflectance.total(), row.number("R_unpol"), tolerance, what);
             }
         }
     }
@@ -62,27 +45,26 @@ fn fresnel_equations() {
 
 #[test]
 fn critical_and_brewster_angles() {
-    let rows = table("angles_critical_brewster_rainbow.csv");
-    let rows: Vec<_> = rows.iter().filter(|row| !row[0].starts_with("rainbow")).collect();
+    let mut rows = table("angles_critical_brewster_rainbow.csv", 18);
+    rows.retain(|row| !row.text("material").starts_with("rainbow"));
     assert_eq!(rows.len(), 12);
     for row in rows {
-        let n = number(&row[1]);
-        close(critical_angle(n, 1.0).unwrap(), number(&row[2]), 1e-12, &row[0]);
-        close(brewster_angle(1.0, n), number(&row[3]), 1e-12, &row[0]);
-        close(brewster_angle(n, 1.0), number(&row[4]), 1e-12, &row[0]);
+        let n = row.number("n");
+        close(critical_angle(n, 1.0).unwrap(), row.number("critical_deg(to air)"), 1e-12, &row.what);
+        close(brewster_angle(1.0, n), row.number("brewster_deg(from air)"), 1e-12, &row.what);
+        close(brewster_angle(n, 1.0), row.number("brewster_deg(from inside)"), 1e-12, &row.what);
         let normal = fresnel(1.0, n, 1.0, 0.0, 1.0, 0.0);
-        close(normal.reflectance.s, number(&row[5]), 1e-14, &row[0]);
+        close(normal.reflectance.s, row.number("R_normal"), 1e-14, &row.what);
     }
 }
 
 #[test]
 fn catalog_indices() {
-    let rows = table("materials_lines.csv");
-    assert_eq!(rows.len(), 20);
-    for row in rows {
-        let medium = catalog::find(&row[0]).unwrap().dispersion();
-        for (line, expected) in FRAUNHOFER.iter().zip(&row[1..]) {
-            close(medium.index(line.wavelength), number(expected), 1e-9, &format!("{} {}", row[0], line.letter));
+    for row in table("materials_lines.csv", 20) {
+        let medium = catalog::find(row.text("material")).unwrap().dispersion();
+        for line in FRAUNHOFER {
+            let what = format!("{} in {}", line.letter, row.what);
+            close(medium.index(line.wavelength), row.number(line.letter), 1e-9, &what);
         }
     }
 }
@@ -198,7 +180,7 @@ proptest! {
     }
 
     #[test]
-    fn the_notes_form_agrees(a in arrivals()) {
+    fn the_vector_form_agrees(a in arrivals()) {
         let Refraction::Refracted { direction, cos_t, .. } = a.refract() else { return Ok(()) };
         let eta = relative_index(a.n_i, a.n_t);
         // Five roundings of 1 and four of 1/η² enter C2², and half of that over C2 leaves it.
@@ -206,10 +188,10 @@ proptest! {
         if cos_t * cos_t <= 4.0 * square {
             return Ok(());
         }
-        let notes = refract_by_notes(a.v, a.n, a.n_i, a.n_t);
-        prop_assert!(notes.is_some(), "the notes form reflects totally");
+        let by_vectors = refract_vector_form(a.v, a.n, a.n_i, a.n_t);
+        prop_assert!(by_vectors.is_some(), "the vector form reflects totally");
         let bound = square / cos_t + 8.0 * U * (1.0 + 1.0 / eta);
-        prop_assert!((notes.unwrap() - direction).length() <= bound);
+        prop_assert!((by_vectors.unwrap() - direction).length() <= bound);
     }
 
     #[test]

@@ -6,8 +6,11 @@ use crate::numerics::cross;
 /// Where a line meets the circle that a curve is part of.
 ///
 /// With q = o − m and B = κ q·d − n·d these are the roots of κ t² + 2 B t + C = 0, the quotient chosen so that nothing
-/// cancels (Press et al., Numerical Recipes, 3rd ed., section 5.6). The discriminant is (1 − S)(1 + S), where
+/// cancels. The discriminant is (1 − S)(1 + S), where
 /// S = d × (n − κ q) is the sine of the angle of incidence.
+///
+/// # Source
+/// Press et al., "Numerical Recipes", 3rd ed., section 5.6, for the quotient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircleRoots {
     /// Whether they meet; where they do not, both distances are that of the line's point nearest to the center.

@@ -1,19 +1,25 @@
-//! Critical angle: Hecht, "Optics", 4th ed., section 4.7, equation 4.69 (sin θ_c = n_t/n_i); Brewster's angle: section
-//! 8.6.1, equation 8.25 (tan θ_B = n_t/n_i). Both also in Born & Wolf, "Principles of Optics", 7th ed., sections 1.5.3 and 1.5.4.
+//! The angles of incidence at which transmission, or reflection of p, stops.
 
 use crate::numerics::atan2_degrees;
 
-/// The critical angle in degrees, 0 to 90; `None` unless n_i > n_t, where every angle is transmitted.
+/// The critical angle, sin θ_c = n_t/n_i, in degrees, 0 to 90; `None` unless n_i > n_t, since into the denser medium every
+/// angle is transmitted.
 ///
-/// Written as tan θ_c = n_t/√((n_i − n_t)(n_i + n_t)), which keeps its digits as the indices draw together and θ_c
+/// Computed as tan θ_c = n_t/√((n_i − n_t)(n_i + n_t)), which keeps its digits as the indices draw together and θ_c
 /// approaches 90°, where the arc sine loses half of them.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 4.7; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.4.
 #[must_use]
 pub fn critical_angle(n_i: f64, n_t: f64) -> Option<f64> {
     (n_i > n_t).then(|| atan2_degrees(n_t, ((n_i - n_t) * (n_i + n_t)).sqrt()))
 }
 
-/// Brewster's angle in degrees, 0 to 90: light that arrives at it from `n_i` reflects no p polarization. 45° between
-/// equal indices, where nothing is reflected at any angle.
+/// Brewster's angle, tan θ_B = n_t/n_i, in degrees, 0 to 90: light that arrives at it from `n_i` reflects no p
+/// polarization. 45° between equal indices, where nothing is reflected at any angle.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 8.6.1; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.3.
 #[must_use]
 pub fn brewster_angle(n_i: f64, n_t: f64) -> f64 {
     atan2_degrees(n_t, n_i)

@@ -1,5 +1,4 @@
-//! Fresnel's equations: Hecht, "Optics", 4th ed., section 4.6.2, equations 4.34 and 4.40 for the amplitudes, section 4.6.3
-//! for reflectance and transmittance; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.2.
+//! How much light a boundary reflects.
 
 use crate::light::Power;
 
@@ -28,6 +27,10 @@ pub struct Fresnel {
 ///
 /// The smaller of R and T is computed, the other is its complement, so that R + T = 1 to one rounding. Equal indices
 /// reflect exactly nothing; grazing incidence (C1 = 0) reflects everything.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 4.6.2 (amplitudes) and 4.6.3 (reflectance and transmittance);
+/// Born & Wolf, "Principles of Optics", 7th ed., sections 1.5.2 and 1.5.3.
 #[must_use]
 pub fn fresnel(n_i: f64, n_t: f64, cos_i: f64, sin_i: f64, cos_t: f64, sin_t: f64) -> Fresnel {
     let contrast = (n_i - n_t) * (n_i + n_t);

@@ -1,11 +1,15 @@
-//! The angle of incidence without angles: cosine and sine as the dot and cross product of two unit vectors, as the vector
-//! derivation of Snell's law does with C1 = −N·V.
+//! The angle of incidence without angles.
 
 use glam::DVec2;
 
 use crate::numerics::cross;
 
-/// A ray's direction V taken apart at a boundary: V = sin·τ − cos·N.
+/// A ray's direction V taken apart at a boundary: V = sin·τ − cos·N, with the cosine and sine of the angle of incidence
+/// as the dot and cross product of two unit vectors.
+///
+/// # Source
+/// Glassner, "Surface Physics for Ray Tracing", in "An Introduction to Ray Tracing", 1989, chapter 4, for C1 = −N·V; the
+/// sine is [`cross`], whose source stands there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incidence {
     /// Cosine C1 = −N·V of the angle of incidence, 0 to 1. Below 0, where N does not oppose V, it is taken as 0.

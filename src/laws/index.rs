@@ -1,4 +1,4 @@
-//! Index of refraction: Hecht, "Optics", 4th ed., section 3.5, equation 3.59 (n = c/v); relative index section 4.4.1.
+//! Index of refraction.
 
 use std::fmt;
 
@@ -45,6 +45,9 @@ impl std::error::Error for IndexError {}
 
 /// The absolute index n = c/v ≥ 1 of a medium in which light has the phase speed `v`, m/s.
 ///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 3.5.
+///
 /// # Errors
 /// The speed is above c, 0, negative or NaN.
 pub fn index_from_speed(v: f64) -> Result<f64, IndexError> {
@@ -70,6 +73,9 @@ pub fn check_index(n: f64) -> Result<f64, IndexError> {
 }
 
 /// The relative index η = n_t/n_i of the transmitting to the incident medium: above 1 into the denser one.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 4.4.1.
 #[must_use]
 pub fn relative_index(n_i: f64, n_t: f64) -> f64 {
     n_t / n_i

@@ -7,25 +7,27 @@
 //!
 //! # Why refraction is computed along the tangent
 //!
-//! The vector form in textbooks is T = V/η + (C1/η − C2) N with η = n_t/n_i and C2 = √(1 + (C1² − 1)/η²). It is kept as
-//! [`refract_by_notes`]. The tracer uses [`refract`], the same law by components: with the unit tangent τ,
+//! The vector form of Snell's law is T = V/η + (C1/η − C2) N with η = n_t/n_i and C2 = √(1 + (C1² − 1)/η²); it is
+//! [`refract_vector_form`]. The tracer uses [`refract`], the same law by components: with the unit tangent τ,
 //! V = S1 τ − C1 N becomes T = S2 τ − C2 N, where S2 = n_i S1/n_t and S1 is a cross product. Both give the direction of
 //! an ordinary ray to a few 1e-16. They differ at the ends of the range:
-//! - *Normal incidence.* The notes form knows the angle through cosines only, and 1 − C² cancels: below 1e-8 no digit of
+//! - *Normal incidence.* The vector form knows the angle through cosines only, and 1 − C² cancels: below 1e-8 no digit of
 //!   S2 is left. The cross product keeps all of them (3e-16), and with it the printed angle.
 //! - *Critical angle.* 1 + (C1² − 1)/η² subtracts what was rounded before. Here (n_t C2)² is the product
 //!   (n_t − n_i S1)(n_t + n_i S1) or, past 45°, (n_t − n_i)(n_t + n_i) + (n_i C1)², which subtract first. Between indices
-//!   that differ by 1e-7, with angles of incidence within 1e-8 of critical, the notes form misjudges total reflection
+//!   that differ by 1e-7, with angles of incidence within 1e-8 of critical, the vector form misjudges total reflection
 //!   for a fifth of the rays; the component form for none in 3000, with a hundredth of the error in the direction.
 //!   Between indices that differ by 1e-5, as in layers of warm air, the errors are 2e-12 and 5e-16.
-//! - *Length.* T is made of two perpendicular unit vectors, so its length is 1 but for rounding at any angle; the notes
+//! - *Length.* T is made of two perpendicular unit vectors, so its length is 1 but for rounding at any angle; the vector
 //!   form reaches 1e-15.
 
 mod critical;
 mod fresnel;
 mod incidence;
 mod index;
+mod optical_path;
 mod reflection;
+mod secondary_rays;
 mod snell;
 mod thin_lens;
 
@@ -33,8 +35,10 @@ pub use critical::{brewster_angle, critical_angle};
 pub use fresnel::{Fresnel, fresnel};
 pub use incidence::Incidence;
 pub use index::{IndexError, SPEED_OF_LIGHT, check_index, index_from_speed, relative_index};
+pub use optical_path::optical_path_length;
 pub use reflection::reflect;
-pub use snell::{Refraction, refract, refract_by_notes};
+pub use secondary_rays::Shares;
+pub use snell::{Refraction, refract, refract_vector_form};
 pub use thin_lens::thin_lens;
 
 use glam::DVec2;

@@ -1,5 +1,4 @@
-//! Law of reflection: Hecht, "Optics", 4th ed., section 4.3.1; vector form R = V + 2 C1 N, Glassner, "Surface
-//! Physics for Ray Tracing", in "An Introduction to Ray Tracing", 1989, chapter 4.
+//! Law of reflection.
 
 use glam::DVec2;
 
@@ -9,6 +8,10 @@ use super::{Incidence, renormalized};
 ///
 /// Computed by components: V = S1 τ − C1 N turns into R = S1 τ + C1 N. At grazing incidence (C1 = 0) R is V, along the
 /// boundary.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 4.3.1; vector form: Glassner, "Surface Physics for Ray Tracing", in "An
+/// Introduction to Ray Tracing", 1989, chapter 4.
 #[must_use]
 pub fn reflect(v: DVec2, n: DVec2) -> DVec2 {
     let Incidence { cos, sin, tangent } = Incidence::new(v, n);

@@ -1,6 +1,4 @@
-//! Snell's law, n_i sin θ_i = n_t sin θ_t: Hecht, "Optics", 4th ed., section 4.4.1, equation 4.4; Born & Wolf, "Principles
-//! of Optics", 7th ed., section 1.5.1. Vector form T = V/η + (C1/η − C2) N as lecture notes derive it from V, N and
-//! S2 η = S1. Module [`laws`](super) says why the kernel uses components instead.
+//! Snell's law, by components and in the vector form.
 
 use glam::DVec2;
 
@@ -61,12 +59,16 @@ impl Refraction {
     }
 }
 
-/// Refracts the unit direction `v` at a boundary with unit normal `n` against it (N·V < 0), from absolute index `n_i`
-/// into `n_t`, both at least 1.
+/// Snell's law, n_i sin θ_i = n_t sin θ_t: refracts the unit direction `v` at a boundary with unit normal `n` against it
+/// (N·V < 0), from absolute index `n_i` into `n_t`, both at least 1.
 ///
 /// Equal indices return `v` itself, bit for bit, at every angle. At grazing incidence (C1 = 0) into a denser medium the
 /// ray is refracted at the critical angle of the way back. (n_t C2)² ≤ 0 is total internal reflection, and only a thinner
-/// medium can give it.
+/// medium can give it. Module [`laws`](super) says why the law is computed by components.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 4.4.1; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.1; total internal
+/// reflection: Hecht section 4.7, Born & Wolf section 1.5.4.
 #[must_use]
 pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     let Incidence { cos: cos_i, sin: sin_i, tangent } = Incidence::new(v, n);
@@ -96,13 +98,18 @@ fn discriminant(n_i: f64, n_t: f64, cos_i: f64, sin_i: f64) -> f64 {
     }
 }
 
-/// The transmitted direction as lecture notes write it, T = V/η + (C1/η − C2) N with C2 = √(1 + (C1² − 1)/η²), η = n_t/n_i;
-/// `None` where the radicand is 0 or below: total internal reflection.
+/// The vector form of Snell's law: T = V/η + (C1/η − C2) N with C1 = −N·V, C2 = √(1 + (C1² − 1)/η²) and η = n_t/n_i, the
+/// transmitted direction straight from the incoming one and the normal, without an angle or a tangent. `None` where the
+/// radicand is 0 or below: total internal reflection.
 ///
-/// For teaching and for holding [`refract`] against: it loses digits toward normal incidence and toward the critical
-/// angle.
+/// The ray is shortened by η, which leaves its component along the boundary as Snell's law wants it, and the component
+/// along N is then replaced by C2, so that the length is 1 again. For teaching, and to hold [`refract`] against: it loses
+/// digits toward normal incidence and toward the critical angle.
+///
+/// # Source
+/// Glassner, "Surface Physics for Ray Tracing", in "An Introduction to Ray Tracing", 1989, chapter 4.
 #[must_use]
-pub fn refract_by_notes(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Option<DVec2> {
+pub fn refract_vector_form(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Option<DVec2> {
     let eta = relative_index(n_i, n_t);
     let c1 = -n.dot(v);
     let radicand = 1.0 + (c1 * c1 - 1.0) / (eta * eta);
@@ -126,6 +133,25 @@ mod tests {
         assert_eq!((cos_i, sin_i), (0.6, 0.8));
         assert!((cos_t - 0.8).abs() < 2e-16 && (sin_t - 0.6).abs() < 2e-16);
         assert!((direction - DVec2::new(0.8, 0.6)).length() < 2e-16);
+    }
+
+    #[test]
+    fn the_vector_form_of_the_3_4_5_ray() {
+        let t = refract_vector_form(DVec2::new(0.6, 0.8), N, 1.0, 4.0 / 3.0).unwrap();
+        assert!((t - DVec2::new(0.8, 0.6)).length() < 2e-16);
+        let back = refract_vector_form(DVec2::new(0.8, -0.6), N, 4.0 / 3.0, 1.0).unwrap();
+        assert!((back - DVec2::new(0.6, -0.8)).length() < 4e-16);
+    }
+
+    #[test]
+    fn the_vector_form_goes_straight_at_normal_incidence_and_ends_at_the_critical_angle() {
+        for (n_i, n_t) in [(1.0, 1.5), (1.5, 1.0), (1.5, 1.5)] {
+            let t = refract_vector_form(DVec2::X, N, n_i, n_t).unwrap();
+            assert!((t - DVec2::X).length() < 4e-16, "{n_i} to {n_t}: {t}");
+        }
+        // From n = 2 into 1 the critical angle is 30°: past it at sin θ_i = 4/5, not yet at sin θ_i = 0.48.
+        assert_eq!(refract_vector_form(DVec2::new(0.6, 0.8), N, 2.0, 1.0), None);
+        assert!(refract_vector_form(DVec2::new(0.8772684879784524, 0.48), N, 2.0, 1.0).is_some());
     }
 
     #[test]

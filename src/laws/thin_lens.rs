@@ -1,5 +1,4 @@
-//! The ideal thin lens: Hecht, "Optics", 4th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and its ray-transfer form, section
-//! 6.2.1, with slopes in place of small angles, so that every object point has a sharp image.
+//! The ideal thin lens.
 
 use glam::DVec2;
 
@@ -13,6 +12,10 @@ use super::{Incidence, relative_index};
 /// indices: in one medium that is tan θ_t = tan θ_i − h/f, and between two media light that turns back returns. The
 /// center ray between equal indices returns `v` itself; so does the limit f = ∞. A ray along the lens (C1 → 0) has no
 /// slope and goes on along it.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and, for the ray-transfer form, section 6.2.1, here with
+/// slopes in place of small angles, so that every object point has a sharp image.
 #[must_use]
 pub fn thin_lens(v: DVec2, n: DVec2, height: f64, focal_length: f64, n_i: f64, n_t: f64) -> DVec2 {
     let bend = height / focal_length;

@@ -1,10 +1,4 @@
 //! The color of a wavelength on a screen.
-//!
-//! - Eye: CIE 1931 color matching functions in the multi-lobe fit of Wyman, Sloan and Shirley, "Simple Analytic
-//!   Approximations to the CIE XYZ Color Matching Functions", Journal of Computer Graphics Techniques 2(2), 2013, 1-11,
-//!   equation 4.
-//! - Screen: sRGB primaries and transfer curve, IEC 61966-2-1:1999.
-//! - Contrast: relative luminance and contrast ratio, W3C, "Web Content Accessibility Guidelines" 2.1, 2018.
 
 use super::Wavelength;
 use crate::numerics::{exp, pow};
@@ -31,6 +25,11 @@ struct Linear([f64; 3]);
 /// 0, which keeps the color fully saturated (mixing in gray instead turns red to pink and green to mint), and the others
 /// are made as bright as the screen goes. Toward the ends of the visible range, 380 nm and 780 nm, colors fade; beyond, a
 /// dim violet or deep red stands for what the eye does not see.
+///
+/// # Source
+/// Wyman, Sloan and Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions", Journal of Computer
+/// Graphics Techniques 2(2), 2013, 1-11: the multi-lobe fit of the CIE 1931 functions. IEC 61966-2-1:1999: sRGB primaries
+/// and transfer curve.
 #[must_use]
 pub fn spectral_color(wavelength: Wavelength) -> [u8; 3] {
     let nm = wavelength.nanometers();
@@ -40,6 +39,10 @@ pub fn spectral_color(wavelength: Wavelength) -> [u8; 3] {
 }
 
 /// The color itself if it is readable on white, else the same hue darkened until it is (contrast ratio at least 3).
+///
+/// # Source
+/// W3C, "Web Content Accessibility Guidelines" 2.1, 2018: relative luminance, contrast ratio, and the least ratio for
+/// graphics.
 #[must_use]
 pub fn readable_on_light(color: [u8; 3]) -> [u8; 3] {
     let linear = Linear(color.map(decoded));

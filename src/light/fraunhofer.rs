@@ -1,5 +1,4 @@
-//! The spectral lines that glass catalogs quote: Schott, "Optical Glass. Description of Properties" (2020), and Technical
-//! Information TIE-29, "Refractive Index and Dispersion", table 1.
+//! The spectral lines that glass catalogs quote.
 
 use super::Wavelength;
 
@@ -14,7 +13,11 @@ pub struct SpectralLine {
     pub wavelength: Wavelength,
 }
 
-/// The lines g, F, e, d, D, HeNe and C, from blue to red.
+/// The lines g, F, e, d, D, HeNe and C, at which glass catalogs quote indices, from blue to red.
+///
+/// # Source
+/// Schott, "Optical Glass. Description of Properties", 2020, and Technical Information TIE-29, "Refractive Index and
+/// Dispersion".
 pub const FRAUNHOFER: [SpectralLine; 7] = [
     line("g", "mercury", Wavelength::MERCURY_G),
     line("F", "hydrogen", Wavelength::HYDROGEN_F),

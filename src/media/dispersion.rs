@@ -6,6 +6,11 @@ use crate::light::Wavelength;
 ///
 /// Two are equal where they are the same medium: the same formula with the same coefficients, not merely the same index
 /// at one wavelength. A name or a range makes no difference.
+///
+/// # Source
+/// Hecht, "Optics", 4th ed., section 3.5.1; Born & Wolf, "Principles of Optics", 7th ed., section 2.3.4. The media of the
+/// [`catalog`](super::catalog) use formulas 1, 2, 3, 5 and 6 of the refractiveindex.info database; each names the source
+/// of its coefficients.
 #[derive(Clone, Debug)]
 pub struct Dispersion {
     formula: Formula,
@@ -32,6 +37,10 @@ impl Dispersion {
     /// Cauchy's formula n = A + B/λ² + C/λ⁴ + …, λ in micrometers, any number of coefficients. Zeros at the end are no
     /// terms: A alone is a constant index.
     ///
+    /// # Source
+    /// Born & Wolf, "Principles of Optics", 7th ed., section 2.3.4; formula 5, with even powers, of the refractiveindex.info
+    /// database.
+    ///
     /// # Errors
     /// No coefficients, or one that is not finite.
     pub fn cauchy(coefficients: &[f64]) -> Result<Self, MediumError> {
@@ -44,6 +53,9 @@ impl Dispersion {
     }
 
     /// Sellmeier's formula n² = 1 + Σ B λ²/(λ² − C), λ in micrometers, any number of terms (B, C), C in µm².
+    ///
+    /// # Source
+    /// Hecht, "Optics", 4th ed., section 3.5.1; formula 2 of the refractiveindex.info database.
     ///
     /// # Errors
     /// No terms, or a coefficient that is not finite.

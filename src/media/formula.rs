@@ -1,5 +1,4 @@
-//! Dispersion formulas, λ in micrometers throughout: Hecht, "Optics", 4th ed., section 3.5.1; Born & Wolf, "Principles of
-//! Optics", 7th ed., section 2.3.4; forms and coefficients as the refractiveindex.info database numbers them.
+//! Dispersion formulas, λ in micrometers throughout; numbers are those of the refractiveindex.info database.
 
 use serde::Deserialize;
 

@@ -1,11 +1,14 @@
-//! Kahan's difference of products: Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the
-//! accurate computation of 2×2 determinants", Mathematics of Computation 82 (2013), 2245-2264.
+//! A difference of products that does not cancel.
 
 use glam::DVec2;
 
 /// The cross product `a.x * b.y - a.y * b.x`, positive when `b` lies counter-clockwise of `a`.
 ///
 /// The relative error is below 2 units in the last place however much the two products cancel, barring underflow.
+///
+/// # Source
+/// Kahan's difference of products: Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for the accurate
+/// computation of 2×2 determinants", Mathematics of Computation 82 (2013), 2245-2264.
 #[must_use]
 pub fn cross(a: DVec2, b: DVec2) -> f64 {
     let second = a.y * b.x;

@@ -1,11 +1,14 @@
-//! Exact geometric predicates: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-//! Predicates", Discrete & Computational Geometry 18 (1997), 305-363.
+//! Exact geometric predicates.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
 
 /// Side of the line through `from` along `direction` on which `p` lies, its sign exact barring underflow: positive left,
 /// negative right, 0 on the line.
+///
+/// # Source
+/// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational
+/// Geometry 18 (1997), 305-363: Grow-Expansion, theorem 10.
 #[must_use]
 pub fn side_of_ray(from: DVec2, direction: DVec2, p: DVec2) -> f64 {
     let (d, f) = (direction, from);
@@ -20,7 +23,7 @@ pub fn side_of_ray(from: DVec2, direction: DVec2, p: DVec2) -> f64 {
     sum.into_iter().rev().find(|part| *part != 0.0).unwrap_or(0.0)
 }
 
-/// Adds a term to an exact sum, whose last place is free (Shewchuk's Grow-Expansion, theorem 10).
+/// Adds a term to an exact sum, whose last place is free (Grow-Expansion).
 fn grow(sum: &mut [f64], term: f64) {
     let mut carry = term;
     let Some((last, parts)) = sum.split_last_mut() else { return };
@@ -34,6 +37,10 @@ fn grow(sum: &mut [f64], term: f64) {
 }
 
 /// Side of the directed line `a` → `b` on which `p` lies, its sign exact: positive left, negative right, 0 on the line.
+///
+/// # Source
+/// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational
+/// Geometry 18 (1997), 305-363: orient2d, as in the crate `robust`.
 #[must_use]
 pub fn side(a: DVec2, b: DVec2, p: DVec2) -> f64 {
     let coord = |p: DVec2| Coord { x: p.x, y: p.y };

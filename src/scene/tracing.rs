@@ -17,7 +17,7 @@ impl Default for TraceSettings {
     }
 }
 
-/// How a hit on the face between two media shares power.
+/// How a hit on the face between two media shares power; [`Shares`](crate::laws::Shares) are what comes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SecondaryRays {
     /// The Fresnel equations, s and p apart.

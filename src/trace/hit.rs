@@ -2,8 +2,7 @@
 
 use glam::DVec2;
 
-use crate::laws::{Incidence, Refraction, fresnel, reflect, refract, thin_lens};
-use crate::light::Power;
+use crate::laws::{Incidence, Refraction, Shares, fresnel, reflect, refract, thin_lens};
 use crate::scene::SecondaryRays;
 use crate::system::{Action, Interface};
 use crate::trace::{Hit, Via};
@@ -51,37 +50,35 @@ impl Arrival<'_> {
     /// A boundary that refracts: `share` gives the reflected and the transmitted fraction, for the refracted light or
     /// past the critical angle.
     fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
-        let mut hit = Hit { n_t: Some(self.n_t), ..self.bare_hit() };
+        let hit = |shares| Hit { n_t: Some(self.n_t), ..self.hit(shares) };
         let reflected = reflect(self.direction, self.normal);
-        let (direction, cos_t, sin_t) = match refract(self.direction, self.normal, self.n_i, self.n_t) {
-            Refraction::Refracted { direction, cos_t, sin_t, .. } => (direction, cos_t, sin_t),
+        let (direction, refracted) = match refract(self.direction, self.normal, self.n_i, self.n_t) {
+            Refraction::Refracted { direction, cos_i, sin_i, cos_t, sin_t } => {
+                (direction, Refracted { n_i: self.n_i, n_t: self.n_t, cos_i, sin_i, cos_t, sin_t })
+            }
             // Total internal reflection: nothing is transmitted. At the critical angle itself T runs along the boundary.
             Refraction::TotalInternalReflection { sin_i, critical, .. } => {
-                (hit.cos_t, hit.sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
-                hit.total_internal_reflection = true;
-                share(None).put(&mut hit);
+                let (cos_t, sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
+                let hit = Hit { cos_t, sin_t, total_internal_reflection: true, ..hit(share(None)) };
                 return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
             }
         };
-        (hit.cos_t, hit.sin_t) = (Some(cos_t), Some(sin_t));
-        let refracted = Refracted { n_i: self.n_i, n_t: self.n_t, cos_i: hit.cos_i, sin_i: hit.sin_i, cos_t, sin_t };
-        share(Some(&refracted)).put(&mut hit);
+        let (cos_t, sin_t) = (Some(refracted.cos_t), Some(refracted.sin_t));
         Outcome {
-            hit,
+            hit: Hit { cos_t, sin_t, ..hit(share(Some(&refracted))) },
             transmitted: Some((Via::Transmission, direction)),
             reflected: Some((Via::Reflection, reflected)),
         }
     }
 
     fn mirror(&self) -> Outcome {
-        let hit = Hit { reflectance: Power::both(1.0), ..self.bare_hit() };
         let reflected = Some((Via::Reflection, reflect(self.direction, self.normal)));
-        Outcome { hit, transmitted: None, reflected }
+        Outcome { hit: self.hit(Shares::total_reflection()), transmitted: None, reflected }
     }
 
     /// An absorber, or a screen with the place where the light lands.
     fn take(&self, position: Option<f64>) -> Outcome {
-        Outcome { hit: Hit { absorptance: 1.0, position, ..self.bare_hit() }, transmitted: None, reflected: None }
+        Outcome { hit: Hit { position, ..self.hit(Shares::absorbed()) }, transmitted: None, reflected: None }
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
@@ -92,13 +89,13 @@ impl Arrival<'_> {
             n_t: Some(self.n_t),
             cos_t: Some(-self.normal.dot(direction)),
             sin_t: Some(tangent.dot(direction)),
-            transmittance: Power::both(1.0),
-            ..self.bare_hit()
+            ..self.hit(Shares::transmitted_only())
         };
         Outcome { hit, transmitted: Some((Via::Transmission, direction)), reflected: None }
     }
 
-    fn bare_hit(&self) -> Hit {
+    /// The hit with its shares, but without what only some interfaces have.
+    fn hit(&self, shares: Shares) -> Hit {
         let Incidence { cos: cos_i, sin: sin_i, .. } = Incidence::new(self.direction, self.normal);
         Hit {
             body: self.interface.body,
@@ -109,9 +106,9 @@ impl Arrival<'_> {
             sin_i,
             cos_t: None,
             sin_t: None,
-            reflectance: Power::default(),
-            transmittance: Power::default(),
-            absorptance: 0.0,
+            reflectance: shares.reflectance,
+            transmittance: shares.transmittance,
+            absorptance: shares.absorptance,
             total_internal_reflection: false,
             position: None,
         }
@@ -128,36 +125,13 @@ struct Refracted {
     sin_t: f64,
 }
 
-/// How a hit shares the power that arrives.
-struct Shares {
-    reflectance: Power,
-    transmittance: Power,
-    absorptance: f64,
-}
-
-impl Shares {
-    /// Constants alike for both polarizations; the rest stays.
-    fn fixed(reflect: f64, transmit: f64) -> Self {
-        let absorptance = (1.0 - (reflect + transmit)).max(0.0);
-        Self { reflectance: Power::both(reflect), transmittance: Power::both(transmit), absorptance }
-    }
-
-    fn put(self, hit: &mut Hit) {
-        (hit.reflectance, hit.transmittance, hit.absorptance) =
-            (self.reflectance, self.transmittance, self.absorptance);
-    }
-}
-
 /// The shares on the face between two media.
 fn shares(secondary_rays: SecondaryRays, refracted: Option<&Refracted>) -> Shares {
     match (secondary_rays, refracted) {
         // Past the critical angle everything is reflected.
-        (_, None) => Shares::fixed(1.0, 0.0),
-        (SecondaryRays::Fresnel, Some(r)) => {
-            let law = fresnel(r.n_i, r.n_t, r.cos_i, r.sin_i, r.cos_t, r.sin_t);
-            Shares { reflectance: law.reflectance, transmittance: law.transmittance, absorptance: 0.0 }
-        }
+        (_, None) => Shares::total_reflection(),
+        (SecondaryRays::Fresnel, Some(r)) => Shares::fresnel(fresnel(r.n_i, r.n_t, r.cos_i, r.sin_i, r.cos_t, r.sin_t)),
         (SecondaryRays::Fixed { kr, kt }, Some(_)) => Shares::fixed(kr, kt),
-        (SecondaryRays::TransmittedOnly, Some(_)) => Shares::fixed(0.0, 1.0),
+        (SecondaryRays::TransmittedOnly, Some(_)) => Shares::transmitted_only(),
     }
 }

@@ -3,6 +3,7 @@
 
 use glam::DVec2;
 
+use crate::laws::optical_path_length;
 use crate::light::Power;
 use crate::scene::TraceSettings;
 use crate::system::{MediumId, OpticalSystem, RayStart, Start, rounding};
@@ -140,7 +141,7 @@ impl<'a> Tracer<'a> {
         let (n_i, n_t) = (self.index(ray.medium), self.index(behind));
         let Outcome { hit, transmitted, reflected } =
             Arrival { interface, at, direction: ray.direction, normal, n_i, n_t }.outcome(self.settings.secondary_rays);
-        let optical_path = branch.optical_path + n_i * ray.from.distance(at);
+        let optical_path = branch.optical_path + optical_path_length(n_i, ray.from.distance(at));
         let mut spawn = |secondary: Option<Secondary>, share: Power, medium: MediumId, left: bool| {
             let power = power.times(share);
             let Some((via, direction)) = secondary.filter(|_| power.total() > 0.0) else { return false };

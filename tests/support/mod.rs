@@ -1,6 +1,8 @@
 //! What several tests need: scene files found, loaded and traced.
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, reason = "each test uses a part, and a test may fail")]
 
+pub mod tables;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
