@@ -39,6 +39,10 @@ fn length([x0, y0, x1, y1]: [f64; 4]) -> f64 {
     ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)).sqrt()
 }
 
+fn power(node: &Node<'_, '_>) -> f64 {
+    node.attribute("data-power").unwrap().parse().unwrap()
+}
+
 /// How many normals a slab shows that a ray meets at some degrees from the perpendicular.
 fn normals_at(degrees: f64) -> usize {
     let text = svg(&format!(
@@ -169,7 +173,10 @@ fn on_dark_colors_add_up_to_white() {
     for group in groups {
         assert_eq!(group.attribute("style"), Some("isolation:isolate"));
         let rays: Vec<_> = group.children().filter(Node::is_element).collect();
-        assert_eq!(rays.len(), 60);
+        // Behind the prism all are apart, in it neighbors coincide.
+        let behind = rays[0].attribute("data-address").is_some_and(|address| address.ends_with(":tt"));
+        assert!(if behind { rays.len() == 60 } else { (8..60).contains(&rays.len()) }, "{}", rays.len());
+        assert!((rays.iter().map(power).sum::<f64>() - 1.0).abs() < 1e-9, "none is lost");
         assert!(rays.iter().all(|ray| ray.attribute("style") == Some("mix-blend-mode:screen")));
         assert!(rays.iter().all(|ray| ray.attribute("data-address").is_some()));
     }

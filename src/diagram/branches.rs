@@ -2,13 +2,13 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
+use crate::diagram::blend::Blend;
+use crate::diagram::coincidence::groups;
 use crate::diagram::frame::{Frame, clip};
 use crate::trace::{Ending, RayTree, Segment, SegmentId, TracedRay};
 
 /// Length of the stub that shows a branch that was not followed, pixels.
 const STUB: f64 = 14.0;
-/// Lines of one ray whose ends are all within this many pixels are one line to the eye.
-const COINCIDENT: f64 = 0.25;
 /// Lines that are all within this many pixels look like one, whose color is that of the one drawn last.
 const TOGETHER: f64 = 1.3;
 /// Steps in which the stretch is sought where lines run together.
@@ -27,9 +27,9 @@ pub(super) struct Branch<'a> {
     pub(super) power: f64,
     /// The same as a share of the source ray.
     pub(super) share: f64,
-    /// Whether it stands for several coincident spectral lines.
-    pub(super) together: bool,
-    /// How many spectral lines its source ray has.
+    /// What it stands for, if for several coincident spectral lines.
+    pub(super) blend: Option<Blend>,
+    /// How many spectral lines its source ray has, those that coincide here counted once.
     pub(super) lines: usize,
     /// The bundle of lines that it is one of, if they part.
     pub(super) fan: Option<Fan>,
@@ -46,6 +46,8 @@ pub(super) struct Fan {
     pub(super) id: usize,
     /// How far apart its lines are half way, pixels.
     pub(super) spread: f64,
+    /// What its lines are to the eye where they run together.
+    pub(super) blend: Blend,
 }
 
 impl Fan {
@@ -59,7 +61,7 @@ impl<'a> Branch<'a> {
     /// A segment by itself between two points of the figure.
     pub(super) fn plain(ray: &'a TracedRay, segment: &'a Segment, ends: [DVec2; 2]) -> Self {
         let (power, share) = (segment.power.total(), share(ray, segment));
-        Self { ray, segment, power, share, together: false, lines: 1, fan: None, arrow: true, ends }
+        Self { ray, segment, power, share, blend: None, lines: 1, fan: None, arrow: true, ends }
     }
 
     /// Its address, the first line's if it stands for several.
@@ -113,7 +115,7 @@ fn single<'a>(ray: &'a TracedRay, segment: &'a Segment, lines: usize, frame: &Fr
     Some(Branch { lines, ..Branch::plain(ray, segment, ends(segment, frame)?) })
 }
 
-/// Branches of one ray's spectral lines: those of one path become one where they all coincide.
+/// Branches of one ray's spectral lines, bundled by their paths.
 fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<'a>>) {
     let mut by_path: BTreeMap<String, Vec<Branch<'a>>> = BTreeMap::new();
     for ray in lines {
@@ -122,27 +124,32 @@ fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<
         }
     }
     for bundle in by_path.into_values() {
-        match bundle.first() {
-            Some(first) if bundle.len() > 1 && bundle.iter().all(|other| coincide(first, other)) => {
-                branches.push(merged(*first, &bundle));
-            }
-            // The number of branches so far is a name that no other bundle has.
-            _ => branches.extend(fanned(bundle, branches.len())),
-        }
+        // The number of branches so far is a name that no other bundle has.
+        branches.extend(drawn(&bundle, branches.len()));
     }
 }
 
-/// The same lines as a fan, the arrowhead on the middle one if they are many or hardly part.
-fn fanned(mut bundle: Vec<Branch<'_>>, id: usize) -> Vec<Branch<'_>> {
-    let middle = bundle.len() / 2;
+/// A bundle as it is drawn: lines that coincide as one, the others as a fan.
+fn drawn<'a>(bundle: &[Branch<'a>], id: usize) -> Vec<Branch<'a>> {
     let across = bundle.first().map_or(DVec2::Y, |first| first.direction().perp());
-    let fan = Fan { id, spread: spread(&bundle, across, 0.5) };
-    let one = bundle.len() > FEW_LINES || fan.closed();
-    for (i, branch) in bundle.iter_mut().enumerate() {
+    let mut parts: Vec<_> = groups(bundle, across).iter().filter_map(|group| merged(group)).collect();
+    if parts.len() == 1 && bundle.len() > 1 {
+        return parts;
+    }
+    let doubled = bundle.len() - parts.len();
+    parts.iter_mut().for_each(|part| part.lines -= doubled);
+    fanned(parts, Fan { id, spread: spread(bundle, across, 0.5), blend: Blend::of(bundle) })
+}
+
+/// The same lines as a fan, the arrowhead on the middle one if they are many or hardly part.
+fn fanned(mut parts: Vec<Branch<'_>>, fan: Fan) -> Vec<Branch<'_>> {
+    let middle = parts.len() / 2;
+    let one = parts.len() > FEW_LINES || fan.closed();
+    for (i, branch) in parts.iter_mut().enumerate() {
         branch.fan = Some(fan);
         branch.arrow = !one || i == middle;
     }
-    bundle
+    parts
 }
 
 /// How far apart lines are at a share of their way.
@@ -168,15 +175,15 @@ pub(super) fn closed_stretch(fan: &[&Branch<'_>]) -> Option<[DVec2; 2]> {
     Some([middle(from), middle(to)])
 }
 
-fn merged<'a>(first: Branch<'a>, bundle: &[Branch<'a>]) -> Branch<'a> {
-    let power: f64 = bundle.iter().map(|branch| branch.power).sum();
-    let emitted = bundle.iter().map(|branch| branch.ray.power).sum();
-    Branch { power, share: portion(power, emitted), together: true, ..first }
-}
-
-fn coincide(a: &Branch<'_>, b: &Branch<'_>) -> bool {
-    let apart = [a.ends[0] - b.ends[0], a.ends[1] - b.ends[1]];
-    apart.iter().all(|d| d.length() <= COINCIDENT)
+/// One branch for a group of lines that coincide: the first one's place, all their power.
+fn merged<'a>(group: &[Branch<'a>]) -> Option<Branch<'a>> {
+    let first = *group.first()?;
+    if group.len() == 1 {
+        return Some(first);
+    }
+    let power: f64 = group.iter().map(|branch| branch.power).sum();
+    let emitted = group.iter().map(|branch| branch.ray.power).sum();
+    Some(Branch { power, share: portion(power, emitted), blend: Some(Blend::of(group)), ..first })
 }
 
 /// The visible part of a segment: an escaped one runs to the frame, one that was not followed is a stub.

@@ -3,8 +3,10 @@
 //! One file a kind of mark; each turns what it needs of scene, system and tree into items of the display list.
 
 mod arrows;
+mod blend;
 mod bodies;
 mod branches;
+mod coincidence;
 mod extensions;
 mod frame;
 mod grid;

@@ -1,3 +1,4 @@
+use crate::diagram::blend::Blend;
 use crate::drawing::Color;
 use crate::light::{Wavelength, readable_on_light, spectral_color};
 use crate::scene::Theme;
@@ -82,16 +83,22 @@ impl Palette {
 
     /// Color of a spectral line on this ground.
     pub(super) fn wavelength(&self, wavelength: Wavelength) -> Color {
-        let pure = spectral_color(wavelength);
-        Color(if self.theme == Theme::Dark { pure } else { readable_on_light(pure) })
+        self.readable(spectral_color(wavelength))
     }
 
-    /// Color of lines of one ray that run together: together they are white light.
-    pub(super) fn together(&self) -> Color {
-        match self.theme {
-            Theme::Dark => Color::hex(0xff_ff_ff),
-            Theme::Light | Theme::Print => self.ink,
+    /// Color of lines of one ray that run together: all of them are white light, which is ink on a light ground; some of
+    /// them have the color that they add up to.
+    pub(super) fn blend(&self, blend: Blend) -> Color {
+        match (blend, self.theme) {
+            (Blend::Whole, Theme::Dark) => Color::hex(0xff_ff_ff),
+            (Blend::Whole, Theme::Light | Theme::Print) => self.ink,
+            (Blend::Part(Color(pure)), _) => self.readable(pure),
         }
+    }
+
+    /// A color of light as it is seen on this ground.
+    fn readable(&self, pure: [u8; 3]) -> Color {
+        Color(if self.theme == Theme::Dark { pure } else { readable_on_light(pure) })
     }
 
     /// Color of light by its share of the source ray, 0 to 1.

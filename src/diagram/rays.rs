@@ -1,6 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagram::Figure;
+use crate::diagram::blend::Blend;
 use crate::diagram::branches::{Branch, closed_stretch};
 use crate::drawing::{Color, Group, Item, Path, Shape, Stroke, Whole, shortest};
 use crate::scene::{RayColor, Theme};
@@ -59,8 +60,7 @@ fn spectrum(styles: &Styles<'_>, fan: &[&Branch<'_>]) -> Item {
     if !whole.adds_up
         && let Some((first, ends)) = fan.first().zip(closed_stretch(fan))
     {
-        let together = Branch { together: true, ..**first };
-        let stroke = styles.stroke(&together, strongest).faded(1.0);
+        let stroke = styles.stroke(&together(first), strongest).faded(1.0);
         items.push(Shape::stroked(Path::line(ends[0], ends[1]), stroke, "together").into());
     }
     Group::layer("spectrum", items).as_whole(whole).into()
@@ -99,6 +99,11 @@ fn class(branch: &Branch<'_>) -> String {
     format!("ray {}", branch.segment.via.word())
 }
 
+/// A branch as it looks where all lines of its fan run together.
+fn together<'a>(branch: &Branch<'a>) -> Branch<'a> {
+    Branch { blend: branch.fan.map(|fan| fan.blend).or(branch.blend), fan: None, ..*branch }
+}
+
 /// How strong a branch looks, 0 to 1: the power's share to 3/8, so that 1 % still differs from nothing.
 pub(super) fn strength(share: f64) -> f64 {
     let quarter = share.sqrt().sqrt();
@@ -129,7 +134,8 @@ impl<'a> Styles<'a> {
 
     /// The line of a branch whose strength was rounded to `strength`.
     pub(super) fn stroke(&self, branch: &Branch<'_>, strength: f64) -> Stroke {
-        let fanning = if branch.together { 1.0 } else { (THICK_LINES / number(branch.lines)).sqrt().clamp(0.45, 1.0) };
+        let alone = branch.blend.is_some() && branch.fan.is_none();
+        let fanning = if alone { 1.0 } else { (THICK_LINES / number(branch.lines)).sqrt().clamp(0.45, 1.0) };
         let width = (0.8 + 1.6 * strength) * (self.crowding * fanning).max(0.4);
         let stroke = Stroke::solid(self.color(branch), width).faded(opacity(strength));
         match PRINT_DASHES[self.dash(branch)] {
@@ -142,19 +148,19 @@ impl<'a> Styles<'a> {
         let palette = &self.figure.palette;
         let wavelength = branch.ray.wavelength;
         let own = self.figure.scene.sources.get(branch.ray.source).and_then(|source| source.color);
-        match (own, self.figure.scene.diagram.color) {
-            (Some(own), _) => Color(own),
-            (None, RayColor::Power) => palette.power(branch.share),
-            (None, RayColor::Via) => palette.via(branch.segment.via),
-            (None, RayColor::Auto | RayColor::Wavelength) if branch.together => palette.together(),
-            (None, RayColor::Auto) if self.lines.len() < 2 => palette.ray,
-            (None, RayColor::Auto | RayColor::Wavelength) => palette.wavelength(wavelength),
+        match (own, self.figure.scene.diagram.color, branch.blend) {
+            (Some(own), ..) => Color(own),
+            (None, RayColor::Power, _) => palette.power(branch.share),
+            (None, RayColor::Via, _) => palette.via(branch.segment.via),
+            (None, RayColor::Auto | RayColor::Wavelength, Some(blend)) => palette.blend(blend),
+            (None, RayColor::Auto, None) if self.lines.len() < 2 => palette.ray,
+            (None, RayColor::Auto | RayColor::Wavelength, None) => palette.wavelength(wavelength),
         }
     }
 
     /// Color of a branch and all lines that run with it.
     pub(super) fn together(&self, branch: &Branch<'_>) -> Color {
-        self.color(&Branch { together: true, ..*branch })
+        self.color(&together(branch))
     }
 
     /// Whether a branch is one of several spectral lines, each in its own color.
@@ -173,7 +179,7 @@ impl<'a> Styles<'a> {
     /// Which dashes a branch has: solid, but for a few lines in print, where dashes stand for colors.
     fn dash(&self, branch: &Branch<'_>) -> usize {
         let few = (2..=PRINT_DASHES.len()).contains(&self.lines.len());
-        if !few || branch.together || self.figure.scene.diagram.theme != Theme::Print {
+        if !few || branch.blend == Some(Blend::Whole) || self.figure.scene.diagram.theme != Theme::Print {
             return 0;
         }
         let bits = branch.ray.wavelength.nanometers().to_bits();

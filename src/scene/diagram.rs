@@ -76,7 +76,8 @@ pub enum Theme {
 pub enum RayColor {
     /// The theme's ray color if all light is one line, else as [`RayColor::Wavelength`].
     Auto,
-    /// The wavelength.
+    /// The wavelength. Lines of one ray that coincide are drawn as one: all of the ray's lines in white on
+    /// [`Theme::Dark`] and in ink on the others, only some of them in the color that they add up to.
     Wavelength,
     /// The power.
     Power,
