@@ -17,7 +17,7 @@ fn modules_use_only_those_before_them() {
     let mut wrong = Vec::new();
     for file in rust_files(&source()) {
         let Some(module) = module_of(&file) else { continue };
-        for used in upward(&module, &read(&file), &exports) {
+        for used in upward(&module, depth_of(&file), &read(&file), &exports) {
             wrong.push(format!("{}: `{module}` uses `{used}`, which stands after it", file.display()));
         }
     }
@@ -37,7 +37,7 @@ fn the_list_holds_every_module() {
 #[test]
 fn a_use_of_a_later_module_is_found_in_every_form() {
     let exports = exports("pub use scene::{Scene, Problem};\npub use system::OpticalSystem;\n");
-    let later = |code| upward("light", code, &exports);
+    let later = |code| upward("light", 1, code, &exports);
     assert_eq!(later("use crate::trace::RayTree;"), ["trace"]);
     assert_eq!(later("use crate::{numerics::Sum, cli, render::{svg, png}};"), ["cli", "render"]);
     assert_eq!(later("fn f() -> crate::laws::Refracted { crate::numerics::exp(1.0) }"), ["laws"]);
@@ -51,6 +51,37 @@ fn a_use_of_a_later_module_is_found_in_every_form() {
 }
 
 #[test]
+fn super_up_to_the_root_is_found_too() {
+    let later = |depth, code| upward("light", depth, code, &[]);
+    assert_eq!(later(1, "use super::trace::RayTree;"), ["trace"]);
+    assert_eq!(later(1, "use super::{numerics::Sum, render::{svg, png}};"), ["render"]);
+    assert_eq!(later(1, "fn f() -> super :: laws::Refracted { self::super::cli::run() }"), ["laws", "cli"]);
+    assert_eq!(later(2, "use super::super::trace;"), ["trace"]);
+    assert_eq!(later(2, "use super::{Power, super::{trace, numerics}};"), ["trace"]);
+    assert_eq!(later(3, "use super::super::super::*;"), ["*"]);
+    let inline = "mod tests {\n    use super::*;\n    use super::super::trace;\n}\nuse super::cli;\n";
+    assert_eq!(later(1, inline), ["trace", "cli"], "an inline module is one deeper, and ends");
+}
+
+#[test]
+fn super_within_the_module_passes() {
+    for (depth, code) in [
+        (2, "use super::Power; use super::color::{self, Rgb};"),
+        (3, "use super::super::color; use super::{super::Power, part};"),
+        (1, "#[cfg(test)]\nmod tests {\n    use super::*;\n}"),
+        (2, "pub(super) struct A;\nmod tests {\n    fn f() {\n    }\n    use super::super::color;\n}"),
+    ] {
+        assert_eq!(upward("light", depth, code, &[]), Vec::<String>::new(), "{code}");
+    }
+}
+
+#[test]
+fn depths_are_those_of_the_module_tree() {
+    let depth = |file: &str| depth_of(&source().join(file));
+    assert_eq!(["light/mod.rs", "light/color.rs", "a/b/mod.rs", "a/b/c.rs"].map(depth), [1, 2, 2, 3]);
+}
+
+#[test]
 fn what_is_allowed_passes() {
     let exports = exports("pub use system::OpticalSystem;\n");
     for code in [
@@ -58,12 +89,12 @@ fn what_is_allowed_passes() {
         "use crate::geometry::Curve; use crate::light::Power;",
         "// see crate::trace\n/// [`System`](crate::OpticalSystem)\nuse std::fmt;",
     ] {
-        assert_eq!(upward("light", code, &exports), Vec::<String>::new(), "{code}");
+        assert_eq!(upward("light", 1, code, &exports), Vec::<String>::new(), "{code}");
     }
 }
 
-/// The modules that some code uses though they do not stand before its own.
-fn upward(module: &str, code: &str, exports: &[(String, String)]) -> Vec<String> {
+/// The modules that some code, in a file so deep below the crate's root, uses though they do not stand before its own.
+fn upward(module: &str, depth: usize, code: &str, exports: &[(String, String)]) -> Vec<String> {
     let place = |name: &str| MODULES.iter().position(|listed| *listed == name);
     let own = place(module);
     let through_root = |name: String| {
@@ -71,46 +102,80 @@ fn upward(module: &str, code: &str, exports: &[(String, String)]) -> Vec<String>
         export.map_or(name, |(_, module)| module.clone())
     };
     let later = |name: &String| place(name).is_none() || place(name) > own;
-    used(code, "crate").into_iter().map(through_root).filter(later).collect()
+    used(depth, code).into_iter().map(through_root).filter(later).collect()
 }
 
-/// The first names after `root::` wherever it occurs, those of a braced group each.
-fn used(code: &str, root: &str) -> Vec<String> {
-    let code: String = code.lines().map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join(" ");
+/// The first names of all paths from the crate's root, by `crate::` or by as many `super::` as lead there.
+fn used(depth: usize, code: &str) -> Vec<String> {
     let mut names = Vec::new();
-    for (at, _) in code.match_indices(root) {
-        let before = code[..at].chars().next_back();
-        let path = code[at + root.len()..].trim_start();
-        if before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '$') || !path.starts_with("::") {
-            continue;
-        }
-        let path = path[2..].trim_start();
-        match path.strip_prefix('{') {
-            Some(group) => names.extend(first_names(group)),
-            None => names.extend(first_name(path)),
-        }
+    for (inside, code) in stretches(code) {
+        names.extend(starts(&code, "crate").flat_map(|path| from_root(path, 0)));
+        names.extend(starts(&code, "super").flat_map(|path| from_root(path, depth + inside - 1)));
     }
     names
 }
 
-/// The first name of each path in a group that was opened already.
-fn first_names(group: &str) -> Vec<String> {
-    let (mut depth, mut start, mut names) = (0, 0, Vec::new());
+/// Code without comments, in stretches inside of equally many inline modules, as rustfmt lays them out.
+fn stretches(code: &str) -> Vec<(usize, String)> {
+    let (mut open, mut stretches) = (Vec::new(), vec![(0, String::new())]);
+    for line in code.lines() {
+        let words = line.split("//").next().unwrap_or("").trim();
+        let indent = line.len() - line.trim_start().len();
+        if words == "}" && open.last() == Some(&indent) {
+            open.pop();
+            stretches.push((open.len(), String::new()));
+        }
+        stretches.last_mut().unwrap().1 += &format!("{words} ");
+        if words.ends_with('{') && words.split(' ').rev().nth(2) == Some("mod") {
+            open.push(indent);
+            stretches.push((open.len(), String::new()));
+        }
+    }
+    stretches
+}
+
+/// What follows `root::` wherever it occurs.
+fn starts<'a>(code: &'a str, root: &'a str) -> impl Iterator<Item = &'a str> {
+    code.match_indices(root).filter_map(move |(at, _)| {
+        let before = code[..at].chars().next_back();
+        let is_word = before.is_none_or(|c| !(c.is_alphanumeric() || c == '_' || c == '$'));
+        code[at + root.len()..].trim_start().strip_prefix("::").filter(|_| is_word)
+    })
+}
+
+/// The first names of a path, those of a braced group each, that `up` more `super::` take to the crate's root.
+fn from_root(path: &str, up: usize) -> Vec<String> {
+    let path = path.trim_start();
+    if let Some(group) = path.strip_prefix('{') {
+        return paths(group).into_iter().flat_map(|path| from_root(path, up)).collect();
+    }
+    match up.checked_sub(1) {
+        None => first_name(path).into_iter().collect(),
+        Some(up) => {
+            let above = path.strip_prefix("super").and_then(|rest| rest.trim_start().strip_prefix("::"));
+            above.map_or_else(Vec::new, |path| from_root(path, up))
+        }
+    }
+}
+
+/// The paths in a group that was opened already.
+fn paths(group: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut paths) = (0, 0, Vec::new());
     for (at, c) in group.char_indices() {
         match c {
             '{' => depth += 1,
             '}' if depth > 0 => depth -= 1,
             ',' | '}' if depth == 0 => {
-                names.extend(first_name(group[start..at].trim_start()));
+                paths.push(group[start..at].trim());
                 start = at + 1;
+                if c == '}' {
+                    break;
+                }
             }
             _ => {}
         }
-        if c == '}' && start == at + 1 {
-            break;
-        }
     }
-    names
+    paths
 }
 
 fn first_name(path: &str) -> Option<String> {
@@ -125,7 +190,7 @@ fn first_name(path: &str) -> Option<String> {
 fn exports(lib: &str) -> Vec<(String, String)> {
     let statements = lib.split(';').filter_map(|statement| statement.split("pub use ").nth(1));
     let exported = statements.filter_map(|path| path.split_once("::")).flat_map(|(module, rest)| {
-        let names = rest.strip_prefix('{').map_or_else(|| first_name(rest).into_iter().collect(), first_names);
+        let names = from_root(rest, 0);
         names.into_iter().map(move |name| (name, module.to_owned()))
     });
     exported.collect()
@@ -137,6 +202,11 @@ fn module_of(file: &Path) -> Option<String> {
     let first = Path::new(inside.iter().next().unwrap()).with_extension("");
     let name = first.to_str().unwrap().to_owned();
     (name != "lib" && name != "main").then_some(name)
+}
+
+/// How many modules deep a file stands below the crate's root.
+fn depth_of(file: &Path) -> usize {
+    file.strip_prefix(source()).unwrap().with_extension("").iter().filter(|name| *name != "mod").count()
 }
 
 fn source() -> PathBuf {

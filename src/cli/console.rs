@@ -1,5 +1,6 @@
 use std::fmt::Display;
 use std::io::{self, Write};
+use std::process::ExitCode;
 
 /// How a command went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +37,15 @@ impl Status {
     }
 }
 
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Done => Self::SUCCESS,
+            Status::Fault => Self::FAILURE,
+        }
+    }
+}
+
 /// Puts words on standard error; a closed stream is nobody's fault.
 pub(super) fn tell(words: impl Display) {
     let _ = writeln!(io::stderr().lock(), "{words}");
@@ -49,6 +59,7 @@ pub(super) fn reason(error: &io::Error) -> String {
         io::ErrorKind::IsADirectory => "this is a folder, not a file".into(),
         io::ErrorKind::NotADirectory => "part of the path is a file, not a folder".into(),
         io::ErrorKind::StorageFull => "no space is left".into(),
-        _ => error.to_string(),
+        io::ErrorKind::AlreadyExists => "this is a file, not a folder".into(),
+        _ => error.to_string().split(" (os error").next().unwrap_or_default().into(),
     }
 }

@@ -19,6 +19,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use console::{Mistake, Status};
+use output::Target;
 
 /// Ray diagrams from the vector law of refraction.
 #[derive(Parser)]
@@ -69,8 +70,7 @@ pub fn main() -> ExitCode {
         Err(error) => return show(&error),
     };
     match cli.command.run() {
-        Ok(Status::Done) => ExitCode::SUCCESS,
-        Ok(Status::Fault) => ExitCode::from(1),
+        Ok(status) => status.into(),
         Err(Mistake(message)) => show(&mistake(cli.command.name(), message)),
     }
 }
@@ -85,7 +85,10 @@ fn mistake(subcommand: &str, message: String) -> clap::Error {
 
 /// Shows help, version or a mistake where each belongs.
 fn show(error: &clap::Error) -> ExitCode {
-    // A closed stream leaves nobody to tell.
-    let _ = error.print();
-    ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+    let written = error.print();
+    if error.use_stderr() {
+        return ExitCode::from(2);
+    }
+    let shown = Target::Stdout.write(|out| written.and_then(|()| out.flush()));
+    Status::of(shown).into()
 }

@@ -55,10 +55,11 @@ fn write_file(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()
     }
 }
 
-/// Writes beside the file and moves the result there once it is complete.
+/// Writes beside the file and moves the result there once it is complete. A file that is there keeps its permissions.
 fn write_whole(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     // What a link points to is replaced, not the link.
     let path = path.canonicalize().unwrap_or_else(|_| path.into());
+    let permissions = permissions(&path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".snellius-");
@@ -70,8 +71,26 @@ fn write_whole(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<(
     }
     let mut file = builder.tempfile_in(folder)?;
     buffered(file.as_file_mut(), produce)?;
+    if let Some(permissions) = permissions {
+        file.as_file().set_permissions(permissions)?;
+    }
     file.persist(&path).map_err(|failed| failed.error)?;
     Ok(())
+}
+
+/// The permissions of a file that may be replaced; `None` where there is none yet. Only its folder need be writable to
+/// replace a file, and so what its own permissions forbid is asked for here.
+fn permissions(path: &Path) -> io::Result<Option<fs::Permissions>> {
+    let permissions = match fs::metadata(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        metadata => metadata?.permissions(),
+    };
+    // Some users may open even what nobody may write.
+    if permissions.readonly() {
+        return Err(io::Error::other("this file is read-only"));
+    }
+    File::options().write(true).open(path)?;
+    Ok(Some(permissions))
 }
 
 fn buffered(out: impl Write, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::console::{Fault, Mistake, reason, tell};
 use super::stats::Stopwatch;
-use crate::compile::{Compiled, compile};
+use crate::compile::{Compiled, compile_checked};
 use crate::scene::{self, Loaded, MAX_TEXT_BYTES, Problem, Scene};
 use crate::system::OpticalSystem;
 
@@ -47,8 +47,8 @@ pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault
         places.locate(&mut problem);
         problem
     };
-    let Compiled { system, warnings: more } = compile(&scene).map_err(|problems| {
-        let all = warnings.iter().chain(problems.list()).cloned().map(placed);
+    let Compiled { system, warnings: more } = compile_checked(&scene).map_err(|problem| {
+        let all = warnings.iter().cloned().chain([problem]).map(placed);
         Fault(shown(&all.collect::<Vec<_>>()))
     })?;
     watch.lap("compile");

@@ -22,6 +22,7 @@ pub(crate) struct OutlineRole {
     pub(crate) body: usize,
     /// What its boundary does; `None` where it is filled with a medium.
     pub(crate) surface: Option<Surface>,
+    pub(crate) closed: bool,
 }
 
 /// Whether light changes at a wall: one between equal media that carries no surface is no interface.
@@ -81,9 +82,16 @@ impl Sides<'_> {
             Surface::Screen => Action::Detect {
                 along: boundary.along + boundary.curve.length_to(piece.curve.a),
                 sense: if member.forward { 1.0 } else { -1.0 },
+                perimeter: self.role(member).closed.then(|| self.length(boundary.outline)),
             },
             Surface::BeamSplitter { reflect, transmit } => Action::Split { reflect, transmit },
             Surface::ThinLens { focal_length } => Action::ThinLens { center: boundary.curve.midpoint(), focal_length },
         }
+    }
+
+    /// Length of an outline, summed as positions along it are.
+    fn length(&self, outline: usize) -> f64 {
+        let end = self.boundaries.partition_point(|boundary| boundary.outline <= outline);
+        self.boundaries[..end].last().map_or(0.0, |last| last.along + last.curve.length())
     }
 }

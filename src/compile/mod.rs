@@ -41,11 +41,16 @@ pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
     if problems.iter().any(|problem| problem.severity == Severity::Error) {
         return Err(unplaced(problems));
     }
+    compile_checked(scene).map_err(|problem| unplaced(vec![problem]))
+}
+
+/// Compiles a scene that was found free of errors.
+pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     let mut media = Media::default();
-    let surroundings = media.id(&scene.surroundings).map_err(|problem| unplaced(vec![problem]))?;
+    let surroundings = media.id(&scene.surroundings)?;
     let mut layout = Layout::default();
     for (number, body) in scene.bodies.iter().enumerate() {
-        layout.add(number, body, &mut media).map_err(|problem| unplaced(vec![problem]))?;
+        layout.add(number, body, &mut media)?;
     }
     let origin = origin::origin(bounds(scene, &layout.bodies));
     let boundaries = layout.boundaries(scene, origin);
@@ -142,7 +147,7 @@ impl Layout {
                 (Substance::Medium(medium), _) | (Substance::Elements, Some(medium)) => (Some(media.id(medium)?), None),
                 (Substance::Elements, None) => (None, None),
             };
-            self.roles.push(OutlineRole { body: number, surface });
+            self.roles.push(OutlineRole { body: number, surface, closed: path.closed });
             self.media.push(medium);
             let curves = path.curves.iter().map(|curve| placement.curve(curve)).collect();
             outlines.push(Outline { curves, closed: path.closed, medium });

@@ -4,6 +4,7 @@ use std::io;
 
 use serde::Serialize;
 
+use super::course::Course;
 use super::number::Number;
 use super::{applied, body_name, in_memory};
 use crate::system::OpticalSystem;
@@ -81,12 +82,7 @@ struct Row {
     to_y: Option<Number>,
     direction_x: Number,
     direction_y: Number,
-    medium_index: Number,
-    power: Number,
-    power_s: Number,
-    power_p: Number,
-    optical_path: Number,
-    ending: &'static str,
+    course: Course,
     body: Option<String>,
     n_i: Option<Number>,
     n_t: Option<Number>,
@@ -112,12 +108,7 @@ impl Row {
             to_y: segment.to.map(|to| Number(to.y)),
             direction_x: Number(segment.direction.x),
             direction_y: Number(segment.direction.y),
-            medium_index: Number(segment.medium_index),
-            power: Number(segment.power.total()),
-            power_s: Number(segment.power.s),
-            power_p: Number(segment.power.p),
-            optical_path: Number(segment.optical_path),
-            ending: segment.ending.word(),
+            course: Course::new(segment),
             body: hit.map(|hit| body_name(system, hit.body)),
             n_i: hit.map(|hit| Number(hit.n_i)),
             n_t: hit.and_then(|hit| hit.n_t).map(Number),

@@ -4,6 +4,7 @@ use std::io;
 
 use serde::{Serialize, Serializer};
 
+use super::course::Course;
 use super::layout::OneLineEach;
 use super::number::{Number, pair};
 use super::{applied, body_name, in_memory};
@@ -116,12 +117,8 @@ struct SegmentRecord {
     from: [Number; 2],
     to: Option<[Number; 2]>,
     direction: [Number; 2],
-    medium_index: Number,
-    power: Number,
-    power_s: Number,
-    power_p: Number,
-    optical_path: Number,
-    ending: &'static str,
+    #[serde(flatten)]
+    course: Course,
     hit: Option<HitRecord>,
 }
 
@@ -203,12 +200,7 @@ impl SegmentRecord {
             from: pair(segment.from),
             to: segment.to.map(pair),
             direction: pair(segment.direction),
-            medium_index: Number(segment.medium_index),
-            power: Number(segment.power.total()),
-            power_s: Number(segment.power.s),
-            power_p: Number(segment.power.p),
-            optical_path: Number(segment.optical_path),
-            ending: segment.ending.word(),
+            course: Course::new(segment),
             hit: segment.hit.as_ref().map(|hit| HitRecord::new(system, segment, hit)),
         }
     }

@@ -3,6 +3,7 @@
 //! Each format writes to any [`std::io::Write`] as it goes, so that a large tree needs no second copy in memory, and
 //! has a twin that returns a `String`.
 
+mod course;
 mod csv;
 mod json;
 mod layout;

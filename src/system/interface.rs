@@ -56,6 +56,8 @@ pub enum Action {
         along: f64,
         /// +1 where the piece runs as the screen was written, −1 against it.
         sense: f64,
+        /// Length of the whole screen if it is closed: its end is its first point again.
+        perimeter: Option<f64>,
     },
     /// Reflects and transmits fixed shares.
     Split {

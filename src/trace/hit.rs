@@ -20,6 +20,8 @@ pub(crate) struct Arrival<'a> {
     pub(crate) n_i: f64,
     /// Index of the medium behind.
     pub(crate) n_t: f64,
+    /// Distances below this are rounding.
+    pub(crate) near: f64,
 }
 
 /// A secondary ray: how it came about, and its unit direction.
@@ -42,7 +44,7 @@ impl Arrival<'_> {
             }),
             Action::Mirror => self.mirror(),
             Action::Absorb => self.take(None),
-            Action::Detect { along, sense } => self.take(Some(along + sense * self.interface.curve.length_to(self.at))),
+            Action::Detect { along, sense, perimeter } => self.take(Some(self.position(along, sense, perimeter))),
             Action::ThinLens { center, focal_length } => self.thin_lens(center, focal_length),
         }
     }
@@ -79,6 +81,12 @@ impl Arrival<'_> {
     /// An absorber, or a screen with the place where the light lands.
     fn take(&self, position: Option<f64>) -> Outcome {
         Outcome { hit: Hit { position, ..self.hit(Shares::absorbed()) }, transmitted: None, reflected: None }
+    }
+
+    /// Where on a screen the light lands. A closed screen ends where it begins: its first point is at 0.
+    fn position(&self, along: f64, sense: f64, perimeter: Option<f64>) -> f64 {
+        let position = along + sense * self.interface.curve.length_to(self.at);
+        if perimeter.is_some_and(|perimeter| position >= perimeter - self.near) { 0.0 } else { position }
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {

@@ -140,7 +140,8 @@ impl<'a> Tracer<'a> {
             if crossing.from_left { (left_normal, interface.right) } else { (-left_normal, interface.left) };
         let (n_i, n_t) = (self.index(ray.medium), self.index(behind));
         let Outcome { hit, transmitted, reflected } =
-            Arrival { interface, at, direction: ray.direction, normal, n_i, n_t }.outcome(self.settings.secondary_rays);
+            Arrival { interface, at, direction: ray.direction, normal, n_i, n_t, near: self.near }
+                .outcome(self.settings.secondary_rays);
         let optical_path = branch.optical_path + optical_path_length(n_i, ray.from.distance(at));
         let mut spawn = |secondary: Option<Secondary>, share: Power, medium: MediumId, left: bool| {
             let power = power.times(share);

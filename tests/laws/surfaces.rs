@@ -215,3 +215,27 @@ fn a_screen_on_an_earlier_body_counts_its_own_way() {
     let lights = "Ray(from: (0, 0), direction: Angle(45))\nRay(from: (3, 0), direction: Angle(180))\nRay(from: (0, 0), direction: Angle(-45))";
     close(&positions(&format!("{disk}, {arc}"), lights), &[0.5, 1.0, 1.5].map(|q| q * std::f64::consts::PI));
 }
+
+#[test]
+fn the_first_point_of_a_closed_screen_is_at_0() {
+    let disk = "(shape: Disk(10), surface: Screen)";
+    let around = "Ray(from: (30, 0), direction: Angle(180))
+        Ray(from: (0, 0), direction: Angle(0))
+        Ray(from: (0, 0), direction: Angle(180))";
+    let found = positions(disk, around);
+    assert_eq!(found[..2], [0.0, 0.0]);
+    close(&found[2..], &[10.0 * std::f64::consts::PI]);
+    let just_before = positions(disk, "Ray(from: (30, -1e-9), direction: Angle(180))");
+    close(&just_before, &[20.0 * std::f64::consts::PI - 1e-9]);
+    for turn in [0, 30, 77, 180] {
+        let disk = format!("(shape: Disk(10), at: (4, 3), rotate: {turn}, surface: Screen)");
+        let found = positions(&disk, &format!("Ray(from: (4, 3), direction: Angle({turn}))"));
+        assert!(found[0] < 1e-13, "{found:?} at {turn}");
+    }
+    let square = "(shape: Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), surface: Screen)";
+    close(&positions(square, "Ray(from: (-3, -3), direction: Towards((0, 0)))"), &[0.0]);
+    close(&positions(square, "Ray(from: (2, 2), direction: Towards((0, 0)))"), &[0.0]);
+    // An open screen ends where it ends.
+    let arc = "(shape: Arc(from: (0, -2), through: (2, 0), to: (0, 2)), surface: Screen)";
+    close(&positions(arc, "Ray(from: (0.5, 2), direction: Angle(180))"), &[2.0 * std::f64::consts::PI]);
+}

@@ -13,6 +13,7 @@ use crate::support::{Run, segment};
 
 pub(crate) const LESSONS: &[Lesson] = &[
     ("prisms/beam-splitter-cube", halves_on_equal_paths),
+    ("prisms/cauchy-sellmeier", cauchys_formula_holds_where_it_was_fitted),
     ("prisms/corner-reflector", every_ray_returns),
     ("prisms/dove", inverted_and_not_turned),
     ("prisms/hollow-in-water", turned_toward_the_apex),
@@ -178,4 +179,27 @@ fn halves_on_equal_paths(run: &Run) {
         near(segment(ray, branch).optical_path, 60.0 + 50.0 * index("N-BK7"), 1e-12);
     }
     assert_eq!(ray.segments.len(), 6, "nothing else comes of the cemented faces");
+}
+
+/// Rays: violet, indigo, blue-green and red through Sellmeier's prism, then the same through Cauchy's.
+fn cauchys_formula_holds_where_it_was_fitted(run: &Run) {
+    let rays = &run.trace.tree.rays;
+    assert_eq!(rays.len(), 8);
+    let turned = |ray: &TracedRay| {
+        near(theta_i(ray, ""), 60.0, 1e-12);
+        let (entry, exit) = in_and_out(ray);
+        -turn(entry.direction, exit.direction)
+    };
+    for (sellmeier, cauchy) in rays[..4].iter().zip(&rays[4..]) {
+        assert_eq!(sellmeier.wavelength, cauchy.wavelength);
+        let n = index_at("N-SF10", sellmeier.wavelength);
+        near(sellmeier.segments[1].medium_index, n, 1e-15);
+        let inside = asin(sin(60.0) / n);
+        near(turned(sellmeier), asin(n * sin(60.0 - inside)), 1e-10);
+    }
+    let less = [0, 1, 2, 3].map(|line| turned(&rays[line]) - turned(&rays[4 + line]));
+    near(less[0], 0.58, 5e-3);
+    near(less[1], 0.21, 5e-3);
+    near(less[2], 0.0, 1e-5);
+    near(less[3], 0.0, 1e-5);
 }

@@ -14,6 +14,7 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("refraction/apparent-depth", rays_seem_to_come_from_depth_over_n),
     ("refraction/brewster-p", p_is_not_reflected_at_brewsters_angle),
     ("refraction/brewster-s", reflected_stands_at_90_to_refracted),
+    ("refraction/fixed-shares", a_tenth_stays_at_every_hit),
     ("refraction/index-matching", equal_indices_leave_rays_alone),
     ("refraction/into-denser", bends_toward_the_normal),
     ("refraction/into-thinner", bends_away_from_the_normal),
@@ -119,6 +120,20 @@ fn rays_seem_to_come_from_depth_over_n(run: &Run) {
 fn depth_of_image(run: &Run, number: usize) -> f64 {
     let exit = exit(ray(run, 0, number));
     exit.from.x * exit.direction.y / exit.direction.x
+}
+
+fn a_tenth_stays_at_every_hit(run: &Run) {
+    let ray = only_ray(run);
+    for (path, power) in [("r", 0.3), ("tt", 0.36), ("trt", 0.108), ("trrt", 0.0324)] {
+        near(segment(ray, path).power.total(), power, 1e-15);
+    }
+    for hit in ray.segments.iter().filter_map(|segment| segment.hit) {
+        near(hit.absorptance, 0.1, 1e-15);
+        assert_eq!((hit.reflectance.s, hit.reflectance.p), (0.3, 0.3), "whatever the angle and the polarization");
+    }
+    // What stays of the first hits: 0.1 · (1 + 0.6 + 0.6 · 0.3 + …), 0.6 · (1 + 0.3 + …) being inside.
+    let whole = changed(run, |scene| scene.trace.min_power = 0.0);
+    near(whole.trace.summary.balance.absorbed.value(), 0.1 * (1.0 + 0.6 / 0.7), 1e-12);
 }
 
 fn equal_indices_leave_rays_alone(run: &Run) {

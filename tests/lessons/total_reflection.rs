@@ -4,7 +4,7 @@ use snellius::scene::Medium;
 use snellius::trace::{Ending, TracedRay, Via};
 
 use crate::Lesson;
-use crate::measure::{asin, changed, fresnel, index, near, no_branch, only_ray, sin, theta_i, theta_t};
+use crate::measure::{asin, changed, cos, fresnel, index, near, no_branch, only_ray, sin, theta_i, theta_t};
 use crate::support::{Run, segment};
 
 pub(crate) const LESSONS: &[Lesson] = &[
@@ -14,6 +14,7 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("total-reflection/half-disk-below", most_is_transmitted_below),
     ("total-reflection/light-guide-bent", bends_lose_nothing),
     ("total-reflection/light-guide-straight", every_bounce_is_total),
+    ("total-reflection/point-under-water", light_leaves_only_within_the_critical_cone),
     ("total-reflection/prism-in-water", water_opens_the_prism),
 ];
 
@@ -141,4 +142,31 @@ fn sent_up(run: &Run, source: usize) -> f64 {
     let rays = run.trace.tree.rays.iter().filter(|ray| ray.source == source);
     let escaped = rays.flat_map(|ray| &ray.segments).filter(|segment| segment.ending == Ending::Escaped);
     escaped.filter(|segment| segment.direction.y > 0.0).map(|segment| segment.power.total()).sum()
+}
+
+/// 24 rays all round, 15° apart; ray 6 heads straight up.
+fn light_leaves_only_within_the_critical_cone(run: &Run) {
+    const DEPTH: f64 = 30.0;
+    let n = 299_792_458.0 / 2.25e8;
+    let critical = asin(1.0 / n);
+    near(critical, 48.6, 0.05);
+    assert_eq!(run.trace.tree.rays.len(), 24);
+    for number in 1..12 {
+        let ray = &run.trace.tree.rays[number];
+        let theta = 15.0 * (number as f64 - 6.0).abs();
+        let surface = segment(ray, "").hit.unwrap();
+        near(surface.theta_i_degrees(), theta, 1e-12);
+        if theta < critical {
+            near(theta_t(ray, ""), asin(n * sin(theta)), 1e-11);
+            near(segment(ray, "").to.unwrap().x.abs(), DEPTH * sin(theta) / cos(theta), 1e-12);
+            assert_eq!(segment(ray, "t").ending, Ending::Escaped);
+        } else {
+            assert!(surface.total_internal_reflection);
+            assert_eq!(segment(ray, "i").power, segment(ray, "").power);
+            no_branch(ray, "t");
+        }
+    }
+    let leave =
+        (1..12).filter(|&number| !segment(&run.trace.tree.rays[number], "").hit.unwrap().total_internal_reflection);
+    assert_eq!(leave.count(), 7);
 }

@@ -51,17 +51,24 @@ pub fn root() -> PathBuf {
 
 /// Every file below a folder with this extension.
 pub fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    all_files(folder).into_iter().filter(|path| path.extension().is_some_and(|found| found == extension)).collect()
+}
+
+/// Every file below a folder.
+pub fn all_files(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let paths = entries.map(|entry| entry.unwrap().path());
-    paths
-        .flat_map(|path| if path.is_dir() { files(&path, extension) } else { vec![path] })
-        .filter(|path| path.extension().is_some_and(|found| found == extension))
-        .collect()
+    paths.flat_map(|path| if path.is_dir() { all_files(&path) } else { vec![path] }).collect()
 }
 
 /// A file's name below a folder, without extension, with `/` between the parts.
 pub fn name_under(folder: &Path, path: &Path) -> String {
-    let below = path.strip_prefix(folder).unwrap().with_extension("");
+    path_under(folder, &path.with_extension(""))
+}
+
+/// A file's path below a folder, with `/` between the parts.
+pub fn path_under(folder: &Path, path: &Path) -> String {
+    let below = path.strip_prefix(folder).unwrap();
     below.iter().map(|part| part.to_str().unwrap()).collect::<Vec<_>>().join("/")
 }
 

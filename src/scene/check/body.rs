@@ -1,3 +1,5 @@
+use glam::DVec2;
+
 use super::checker::{Checker, show};
 use super::lens::{check_group, check_lens};
 use super::medium::check_medium;
@@ -106,16 +108,19 @@ fn check_shape(c: &mut Checker, path: &str, shape: &Shape) {
         }
         Shape::Outline { start, path: steps } => check_outline(c, path, *start, steps),
         Shape::LensGroup { diameter, surfaces } => check_group(c, path, *diameter, surfaces),
-        Shape::Flat { from, to } => {
-            if c.point(&at("from"), "the first point", *from) & c.point(&at("to"), "the last point", *to) {
-                c.require(from != to, || {
-                    let message = "the line ends where it begins";
-                    Problem::error(at("to"), message, "write two different points").label("same as `from`")
-                });
-            }
-        }
+        Shape::Flat { from, to } => check_flat(c, path, *from, *to),
         Shape::Arc { from, through, to } => check_arc(c, path, *from, *through, *to),
         Shape::Stop { opening, height } => check_stop(c, path, *opening, *height),
+    }
+}
+
+fn check_flat(c: &mut Checker, path: &str, from: DVec2, to: DVec2) {
+    let end = format!("{path}.to");
+    if c.point(&format!("{path}.from"), "the first point", from) & c.point(&end, "the last point", to) {
+        c.require(from != to, || {
+            let message = "the line ends where it begins";
+            Problem::error(&end, message, "write two different points").label("same as `from`")
+        });
     }
 }
 

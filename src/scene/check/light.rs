@@ -10,13 +10,15 @@ pub(super) fn check_source(c: &mut Checker, path: &str, source: &Source) {
     check_light(c, &format!("{path}.light"), &source.light);
     check_spectrum(c, &format!("{path}.spectrum"), &source.spectrum);
     let power = format!("{path}.power");
-    if c.finite(&power, "the power", source.power) {
+    let is_positive = |c: &mut Checker| {
         c.require(source.power > 0.0, || {
             let message = format!("the power must be above 0, not {}", show(source.power));
             Problem::error(&power, message, "write a positive number; the whole source has this power")
                 .label("no light")
-        });
-        c.within(&power, "the power", source.power.max(1e-100), [1e-100, 1e100]);
+        })
+    };
+    if c.finite(&power, "the power", source.power) && is_positive(c) {
+        c.within(&power, "the power", source.power, [1e-100, 1e100]);
     }
 }
 

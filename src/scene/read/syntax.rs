@@ -106,44 +106,65 @@ fn unclosed(at: usize, open: Option<Open>) -> Fault {
     Fault { at: open.at, message: format!("this `{bracket}` is never closed"), label: "opens here", help }
 }
 
+/// What is wrong, the label at its place, and what would be right.
+type Words = (String, &'static str, &'static str);
+
 /// Neither a comma nor the right closing bracket follows a value; what was probably meant shows in the text around.
 fn separator(text: &str, at: usize, open: Option<Open>) -> Fault {
     let before = &text[..at];
     let (last, next) = (before.chars().next_back().unwrap_or(' '), char_at(text, at).unwrap_or(' '));
+    let words = match next {
+        ']' | ')' | '}' | ':' => Some(out_of_place(text, at, open)),
+        _ => broken_off(last, next),
+    };
+    match words {
+        Some((message, label, help)) => Fault { at, message, label, help },
+        None => missing_comma(text, before.trim_end().len(), found(text, at)),
+    }
+}
+
+/// A closing bracket of the wrong kind, or a colon where no field's name can stand before it.
+fn out_of_place(text: &str, at: usize, open: Option<Open>) -> Words {
     let inside = open.map_or('(', |open| open.bracket);
     let line = open.map_or(1, |open| 1 + text[..open.at].matches('\n').count());
-    let found = found(text, at);
-    let fault = |message: String, label, help| Fault { at, message, label, help };
-    match (last, next) {
-        (_, ']' | ')' | '}') => {
-            let message = format!("{found} does not close the `{inside}` from line {line}");
-            fault(message, "does not match", "close every `(` with `)` and every `[` with `]`, the inner ones first")
-        }
-        (_, ':') if inside == '[' => {
-            let message = format!("a field in the middle of the list from line {line}");
-            fault(message, "not expected here", "close the list with `]` before, or put its fields in parentheses")
-        }
-        (_, ':') => fault(
+    match (char_at(text, at), inside) {
+        (Some(':'), '[') => (
+            format!("a field in the middle of the list from line {line}"),
+            "not expected here",
+            "close the list with `]` before, or put its fields in parentheses",
+        ),
+        (Some(':'), _) => (
             "a value with a name among values without names".to_owned(),
             "not expected here",
             "name all values in one pair of parentheses, or none, as the form asks for",
         ),
-        ('0'..='9' | '.', c) if c.is_alphabetic() || "°µ%\"'".contains(c) => fault(
-            format!("a number is followed by {found}"),
+        _ => (
+            format!("{} does not close the `{inside}` from line {line}", found(text, at)),
+            "does not match",
+            "close every `(` with `)` and every `[` with `]`, the inner ones first",
+        ),
+    }
+}
+
+/// A number, a word or text in quotes that breaks off before what belongs to it.
+fn broken_off(last: char, next: char) -> Option<Words> {
+    match (last, next) {
+        ('0'..='9' | '.', c) if c.is_alphabetic() || "°µ%\"'".contains(c) => Some((
+            format!("a number is followed by `{c}`"),
             "not part of a number",
             "write numbers without a unit: lengths in one unit of your choice, angles in degrees, wavelengths in nm",
-        ),
-        (c, '-') if c.is_alphanumeric() => fault(
+        )),
+        (c, '-') if c.is_alphanumeric() => Some((
             "a word breaks off at a dash".to_owned(),
             "not part of a word",
             "put names with a dash in quotes, as in `Catalog(\"N-BK7\")`",
-        ),
-        ('"', c) if c.is_alphanumeric() => fault(
+        )),
+        ('"', c) if c.is_alphanumeric() => Some((
             "text in quotes ends just before this".to_owned(),
             "outside of the quotes",
             "check whether a `\"` is missing further up; a quote inside of the text is written `\\\"`",
-        ),
-        _ => missing_comma(text, before.trim_end().len(), found),
+        )),
+        _ => None,
     }
 }
 

@@ -1,0 +1,70 @@
+//! `render`: which picture goes where.
+
+use std::fs;
+use std::path::Path;
+
+use crate::place::{Place, SCENE, assert_png, assert_svg};
+
+#[test]
+fn render_draws_an_svg_under_the_stem_into_the_current_directory() {
+    let place = Place::new();
+    fs::create_dir(place.path("scenes")).unwrap();
+    fs::write(place.path("scenes/in.glass.ron"), SCENE).unwrap();
+    assert_eq!(place.run(&["render", "scenes/in.glass.ron"]).clean(), "in.glass.svg\n");
+    assert_svg(&place.path("in.glass.svg"));
+    assert_eq!(place.feed(&["render", "-"], SCENE).clean(), "stdin.svg\n");
+    assert_eq!(place.files(), ["in.glass.svg", "scenes", "stdin.svg"]);
+}
+
+#[test]
+fn render_to_a_file_follows_its_extension() {
+    let place = Place::with(&[("a.ron", SCENE)]);
+    assert_eq!(place.run(&["render", "a.ron", "-o", "x.svg"]).clean(), "x.svg\n");
+    assert_svg(&place.path("x.svg"));
+    assert_eq!(place.run(&["render", "a.ron", "-o", "x.PNG"]).clean(), "x.PNG\n");
+    assert_png(&fs::read(place.path("x.PNG")).unwrap());
+    assert_eq!(place.run(&["render", "a.ron", "-o", "picture", "--format", "png"]).clean(), "picture\n");
+    assert_png(&fs::read(place.path("picture")).unwrap());
+    place.run(&["render", "a.ron", "-o", "x.pdf"]).refused("neither svg nor png");
+    place.run(&["render", "a.ron", "-o", "x"]).refused("neither svg nor png");
+    assert_eq!(place.files(), ["a.ron", "picture", "x.PNG", "x.svg"]);
+}
+
+#[test]
+fn render_to_standard_output_prints_no_path() {
+    let place = Place::with(&[("a.ron", SCENE)]);
+    let svg = place.run(&["render", "a.ron", "-o", "-"]).clean();
+    place.run(&["render", "a.ron"]).clean();
+    assert_eq!(fs::read_to_string(place.path("a.svg")).unwrap(), svg);
+    let png = place.run(&["render", "a.ron", "-o", "-", "--format", "png"]).status(0);
+    assert_png(&png.0.stdout);
+}
+
+#[test]
+fn render_many_into_a_folder() {
+    let place = Place::with(&[("a.ron", SCENE), ("b.ron", SCENE), ("bad.ron", "(title: 1)")]);
+    let run = place.run(&["render", "a.ron", "bad.ron", "b.ron", "--out-dir", "out/deep", "--format", "svg,png"]);
+    let run = run.status(1);
+    let paths: Vec<_> = run.stdout().lines().map(String::from).collect();
+    let expected = ["a.svg", "a.png", "b.svg", "b.png"].map(|name| Path::new("out/deep").join(name));
+    assert_eq!(paths, expected.each_ref().map(|path| path.display().to_string()), "one bad scene stops no other");
+    assert!(run.stderr().starts_with("bad.ron:1:"), "{}", run.stderr());
+    assert_svg(&place.path("out/deep/a.svg"));
+    assert_png(&fs::read(place.path("out/deep/b.png")).unwrap());
+}
+
+#[test]
+fn render_refuses_what_would_overwrite() {
+    let place = Place::with(&[("a.ron", SCENE), ("b.ron", SCENE), ("c.svg", SCENE)]);
+    fs::create_dir(place.path("sub")).unwrap();
+    fs::write(place.path("sub/a.ron"), SCENE).unwrap();
+    place.run(&["render", "a.ron", "b.ron", "-o", "x.svg"]).refused("several scenes");
+    place.run(&["render", "a.ron", "sub/a.ron", "--out-dir", "out"]).refused("two scenes");
+    place.run(&["render", "a.ron", "sub/a.ron"]).refused("two scenes");
+    place.run(&["render", "a.ron", "-o", "x.svg", "--format", "svg,png"]).refused("several formats");
+    place.run(&["render", "a.ron", "-o", "x.svg", "--out-dir", "out"]).refused("--out-dir");
+    place.run(&["render", "a.ron", "--format", "gif"]).refused("invalid value 'gif'");
+    place.run(&["render", "c.svg"]).refused("would overwrite the scene 'c.svg'");
+    place.run(&["render", "a.ron", "-o", "sub/../a.ron", "--format", "svg"]).refused("would overwrite");
+    assert_eq!(place.files(), ["a.ron", "b.ron", "c.svg", "sub"]);
+}
