@@ -298,3 +298,29 @@ fn a_label_stands_nearer_to_its_body_than_to_another() {
     let [(_, upper), (_, lower), _] = found.as_slice() else { panic!("{found:?}") };
     assert!(upper[1] < lower[1], "{found:?}");
 }
+
+#[test]
+fn white_light_is_extended_in_ink() {
+    let text = "(
+        bodies: [(shape: Flat(from: (0, -20), to: (0, 20)), surface: ThinLens(focal_length: -40))],
+        sources: [(light: Beam(center: (-60, 0), direction: Angle(0), width: 20, rays: 3), spectrum: White(samples: 5))],
+        diagram: (extensions: true),
+    )";
+    let svg = svg(text);
+    let document = Document::parse(&svg).unwrap();
+    let ray = of_class(&document, "ray")[0].attribute("stroke").unwrap().to_owned();
+    let extensions = of_class(&document, "extension");
+    assert_eq!(extensions.len(), 3);
+    assert!(extensions.iter().all(|extension| extension.attribute("stroke") == Some(ray.as_str())));
+}
+
+#[test]
+fn a_disk_smaller_than_the_rounding_of_its_place_is_drawn_somehow() {
+    for radius in ["1", "3.3", "1e-8"] {
+        for place in ["(1e16, 0)", "(1e16, -3e15)"] {
+            let disk = format!("(shape: Disk({radius}), at: {place}, rotate: 30, medium: Index(1.5))");
+            let svg = svg(&format!("(bodies: [{disk}, (shape: Disk(2), medium: Index(1.5))])"));
+            assert!(Document::parse(&svg).is_ok() && !svg.contains("NaN"));
+        }
+    }
+}

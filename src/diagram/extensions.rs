@@ -33,13 +33,23 @@ pub(super) struct Extension<'a> {
     open: bool,
 }
 
+impl Extension<'_> {
+    /// Whether it continues a drawn branch: that of its segment, or of the same path if it stands for several lines.
+    fn follows(&self, branch: &Branch<'_>) -> bool {
+        let path = |address: String| address.rsplit(':').next().map(str::to_owned);
+        (branch.ray.source, branch.ray.ray) == (self.ray.source, self.ray.ray)
+            && path(branch.address()) == path(self.ray.address(self.segment.id))
+    }
+}
+
 /// Dashed lines of the extensions, each in the color of its ray.
 pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Item> {
     let all = found(figure.scene, figure.tree);
     let styles = Styles::new(figure);
     let items = all.iter().filter_map(|extension| {
         let [a, b] = ends(extension, &figure.frame)?;
-        let ray = Branch::plain(extension.ray, extension.segment, [a, b]);
+        let blend = figure.branches.iter().find(|branch| extension.follows(branch)).and_then(|branch| branch.blend);
+        let ray = Branch { blend, ..Branch::plain(extension.ray, extension.segment, [a, b]) };
         let stroke = Stroke::solid(styles.color(&ray), 1.2).faded(0.6).dashed(&[2.0, 4.0]);
         Some(Shape::stroked(Path::line(a, b), stroke, "extension").into())
     });

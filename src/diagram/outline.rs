@@ -15,6 +15,9 @@ const FLATNESS: f64 = 0.04;
 /// Every halving of an arc quarters its height over the chord; forty are enough for the largest numbers.
 const HALVINGS: u32 = 40;
 
+/// Halvings that bring any arc, up to a full circle, below half a circle.
+const HALVINGS_OF_A_CIRCLE: u32 = 4;
+
 /// Points along a curve, close enough to tell its extent.
 pub(super) fn samples(curve: &Curve) -> Vec<DVec2> {
     let mut pieces = vec![*curve];
@@ -41,7 +44,7 @@ pub(super) fn path(frame: &Frame, curves: &[Curve], closed: bool) -> Path {
         [rest @ .., last] if closed && last.is_straight() => rest,
         all => all,
     };
-    drawn.iter().for_each(|curve| follow(frame, curve, &mut path));
+    drawn.iter().for_each(|curve| follow(frame, curve, HALVINGS_OF_A_CIRCLE, &mut path));
     if closed {
         path.close();
     }
@@ -67,17 +70,19 @@ fn radius(frame: &Frame, curve: &Curve) -> f64 {
     frame.scale() / curve.curvature.abs()
 }
 
-fn follow(frame: &Frame, curve: &Curve, path: &mut Path) {
+/// Draws a curve on, an arc in pieces of less than half a circle. One that `halvings` cannot bring there is smaller than
+/// the rounding of its place, and a line does.
+fn follow(frame: &Frame, curve: &Curve, halvings: u32, path: &mut Path) {
     let to = frame.place(curve.b);
-    if curve.is_straight() {
+    if curve.is_straight() || halvings == 0 {
         return path.line_to(to);
     }
     // Near half a circle a rounded radius moves the apex far more than its own error; shorter arcs do not.
     let radius = radius(frame, curve);
     if (to - frame.place(curve.a)).length() > 1.6 * radius || curve.spans_more_than_half() {
         let [first, second] = curve.halves();
-        follow(frame, &first, path);
-        return follow(frame, &second, path);
+        follow(frame, &first, halvings - 1, path);
+        return follow(frame, &second, halvings - 1, path);
     }
     // A left turn in the scene, y up, runs against the clock on the screen.
     path.arc_to(radius, false, curve.curvature < 0.0, to);
@@ -86,14 +91,20 @@ fn follow(frame: &Frame, curve: &Curve, path: &mut Path) {
 fn chords(frame: &Frame, curve: &Curve, halvings: u32, points: &mut Vec<DVec2>) {
     let [a, b] = [frame.place(curve.a), frame.place(curve.b)];
     let chord = (b - a).length();
-    let larger = curve.spans_more_than_half();
+    // Only a whole arc can go farther; a half that seems to is smaller than the rounding of its place.
+    let larger = halvings == HALVINGS && curve.spans_more_than_half();
     let height = chord * chord / (8.0 * radius(frame, curve));
     let seen = Rect { min: a.min(b) - chord, max: a.max(b) + chord }.overlaps(&frame.area.grown(60.0));
     if curve.is_straight() || halvings == 0 || (!larger && (height <= FLATNESS || !seen)) {
         points.push(b);
         return;
     }
-    for half in curve.halves() {
+    let halves = curve.halves();
+    if !larger && halves.iter().any(|half| half.a.distance(half.b) >= curve.a.distance(curve.b)) {
+        points.push(b);
+        return;
+    }
+    for half in halves {
         chords(frame, &half, halvings - 1, points);
     }
 }
