@@ -35,7 +35,8 @@ pub(crate) struct Crossing {
 pub(crate) fn nearest(interfaces: &[Interface], near: f64, ray: &Ray) -> Option<Crossing> {
     let probe = Probe { interfaces, ray, last: ray.last(interfaces), near };
     let mut first: Option<Crossing> = None;
-    for (interface, candidate) in interfaces.iter().enumerate() {
+    let beside_medium = |candidate: &Interface| candidate.left == ray.medium || candidate.right == ray.medium;
+    for (interface, candidate) in interfaces.iter().enumerate().filter(|(_, candidate)| beside_medium(candidate)) {
         for (distance, from_left) in probe.crossings(interface, candidate).into_iter().flatten() {
             let near_side = if from_left { candidate.left } else { candidate.right };
             let crossing = Crossing { interface, distance, from_left };
@@ -257,11 +258,12 @@ impl Probe<'_> {
         ahead.then_some(distance.max(0.0))
     }
 
-    /// A distance from a start within rounding of an arc counts as 0: the ray is in the medium that it leaves there.
+    /// A distance from a start within rounding of an arc counts as 0: the ray is in the medium that it leaves there. Over
+    /// a distance t the arc bends away from its tangent by κ t²/2.
     fn ahead_of_start(&self, candidate: &Interface, distance: f64) -> Option<f64> {
         let leaves = candidate.left != candidate.right && self.ray.start == Start::Free;
-        let at_start =
-            leaves && distance.abs() <= self.near.sqrt() && candidate.curve.offset(self.ray.from).abs() <= self.near;
+        let bent = 0.5 * candidate.curve.curvature.abs() * distance * distance;
+        let at_start = leaves && bent <= self.near && candidate.curve.offset(self.ray.from).abs() <= self.near;
         (distance > 0.0 || at_start).then_some(distance.max(0.0))
     }
 
