@@ -24,3 +24,5 @@ pub const MAX_PIXELS: u32 = 16_384;
 pub const MAX_LENGTH: f64 = 1e30;
 /// Smallest length and radius above 0, in scene units.
 pub const MIN_LENGTH: f64 = 1e-30;
+/// Largest refractive index; the squares and fourth powers in the laws stay finite.
+pub const MAX_INDEX: f64 = 1e6;

@@ -3,14 +3,28 @@ use std::collections::HashSet;
 use super::checker::{Checker, show, show_rounded};
 use crate::light::Wavelength;
 use crate::media::{Dispersion, MediumError};
-use crate::scene::{MAX_LINES, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
+use crate::scene::{MAX_INDEX, MAX_LINES, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
 
 /// A medium's own numbers, or its name in the catalog; indices over the spectrum are checked with the sources.
 pub(super) fn check_medium(c: &mut Checker, path: &str, medium: &Medium) {
-    if let Err(problem) = medium.dispersion() {
-        let path = if problem.path.is_empty() { path.to_owned() } else { format!("{path}.{}", problem.path) };
-        c.problems.push(Problem { path, ..problem });
+    match medium.dispersion() {
+        Err(problem) => {
+            let path = if problem.path.is_empty() { path.to_owned() } else { format!("{path}.{}", problem.path) };
+            c.problems.push(Problem { path, ..problem });
+        }
+        Ok(dispersion) if is_constant(medium) => c.problems.extend(too_large(path, dispersion.index(Wavelength::D))),
+        Ok(_) => {}
     }
+}
+
+fn is_constant(medium: &Medium) -> bool {
+    matches!(medium, Medium::Index(_) | Medium::Speed(_))
+}
+
+fn too_large(path: &str, index: f64) -> Option<Problem> {
+    let message = format!("the refractive index is {}, above {}", show_rounded(index), show(MAX_INDEX));
+    let help = "write a smaller index; that of diamond is 2.42";
+    (index > MAX_INDEX).then(|| Problem::error(path, message, help).label("too large"))
 }
 
 /// Every line of every source has an index in every medium.
@@ -29,8 +43,12 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
     if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
         return None;
     }
-    let mut lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometers);
-    let error = lines.find_map(|line| dispersion.check(line).err())?;
+    let lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometers);
+    let mut checked = lines.map(|line| dispersion.check(line));
+    let error = match checked.find(|checked| !checked.as_ref().is_ok_and(|index| *index <= MAX_INDEX))? {
+        Ok(index) => return too_large(owner, index),
+        Err(error) => error,
+    };
     let name = match medium {
         Medium::Catalog(name) => format!("`{name}`"),
         _ => "the medium".to_owned(),
@@ -62,8 +80,7 @@ fn dispersive_media<'a>(scene: &'a Scene) -> Vec<(String, &'a Medium, Dispersion
     let mut media = Vec::new();
     let mut known = HashSet::new();
     let mut add = |path: String, medium: &'a Medium| {
-        let constant = matches!(medium, Medium::Index(_) | Medium::Speed(_));
-        if constant || !known.insert(format!("{medium:?}")) {
+        if is_constant(medium) || !known.insert(format!("{medium:?}")) {
             return;
         }
         if let Ok(dispersion) = medium.dispersion() {
