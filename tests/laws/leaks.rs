@@ -13,6 +13,7 @@ use snellius::trace::Ending;
 
 use crate::oracle::holds;
 use crate::scenes::{self, body, source, towards};
+use crate::support::random::Random;
 use crate::support::run_scene;
 use crate::times;
 
@@ -20,36 +21,6 @@ use crate::times;
 const RAYS: u32 = 20_000;
 /// Rays per scene.
 const BATCH: u32 = 50;
-
-/// Steele, Lea and Flood's `SplitMix64`.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly in 0 to 1.
-    fn unit(&mut self) -> f64 {
-        f64::from(u32::try_from(self.next() >> 32).unwrap()) / f64::from(u32::MAX)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(n).unwrap()).unwrap()
-    }
-
-    /// The same number, its neighbor above or its neighbor below.
-    fn beside(&mut self, x: f64) -> f64 {
-        [x, x.next_up(), x.next_down()][self.below(3)]
-    }
-
-    fn beside_point(&mut self, p: DVec2) -> DVec2 {
-        DVec2::new(self.beside(p.x), self.beside(p.y))
-    }
-}
 
 /// Where and how large the scene is.
 const PLACES: [(f64, f64); 5] = [(1.0, 0.0), (1.0, 1e6), (1.0, 1e9), (1e9, 0.0), (1e-9, 0.0)];

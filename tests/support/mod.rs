@@ -1,7 +1,10 @@
 //! What several tests need: scene files found, loaded and traced.
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, reason = "each test uses a part, and a test may fail")]
 
+pub mod figures;
+pub mod random;
 pub mod tables;
+pub mod wide;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,0 +1,15 @@
+//! How accurate the laws and the tracer are, measured against 237-bit arithmetic. Every figure is printed with its bound.
+//!
+//! `SNELLIUS_FULL=1 cargo test --release --test accuracy -- --nocapture` measures at full size.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::float_cmp,
+    reason = "a test fails by panicking and compares exact bits on purpose"
+)]
+
+mod support;
+
+#[path = "accuracy/wide.rs"]
+mod wide;
