@@ -11,5 +11,7 @@
 
 mod support;
 
+#[path = "accuracy/kernel.rs"]
+mod kernel;
 #[path = "accuracy/wide.rs"]
 mod wide;

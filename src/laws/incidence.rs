@@ -2,14 +2,14 @@
 
 use glam::DVec2;
 
-use crate::numerics::cross;
+use crate::numerics::{cross, dot};
 
 /// A ray's direction V taken apart at a boundary: V = sin·τ − cos·N, with the cosine and sine of the angle of incidence
 /// as the dot and cross product of two unit vectors.
 ///
 /// # Source
 /// Glassner, "Surface Physics for Ray Tracing", in "An Introduction to Ray Tracing", 1989, chapter 4, for C1 = −N·V; the
-/// sine is [`cross`], whose source stands there.
+/// products are [`dot`] and [`cross`], whose source stands there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incidence {
     /// Cosine C1 = −N·V of the angle of incidence, 0 to 1. Below 0, where N does not oppose V, it is taken as 0.
@@ -23,9 +23,10 @@ pub struct Incidence {
 impl Incidence {
     /// Takes the unit direction `v` apart along the unit normal `n` against it.
     ///
-    /// The sine is relatively accurate down to normal incidence, where it is the difference of nearly equal products.
+    /// Both are relatively accurate, the sine down to normal incidence and the cosine down to grazing, where they are the
+    /// difference of nearly equal products.
     #[must_use]
     pub fn new(v: DVec2, n: DVec2) -> Self {
-        Self { cos: (-n.dot(v)).clamp(0.0, 1.0), sin: cross(v, n).clamp(-1.0, 1.0), tangent: -n.perp() }
+        Self { cos: (-dot(v, n)).clamp(0.0, 1.0), sin: cross(v, n).clamp(-1.0, 1.0), tangent: -n.perp() }
     }
 }

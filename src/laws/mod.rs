@@ -14,10 +14,11 @@
 //! - *Normal incidence.* The vector form knows the angle through cosines only, and 1 − C² cancels: below 1e-8 no digit of
 //!   S2 is left. The cross product keeps all of them (3e-16), and with it the printed angle.
 //! - *Critical angle.* 1 + (C1² − 1)/η² subtracts what was rounded before. Here (n_t C2)² is the product
-//!   (n_t − n_i S1)(n_t + n_i S1) or, past 45°, (n_t − n_i)(n_t + n_i) + (n_i C1)², which subtract first. Between indices
-//!   that differ by 1e-7, with angles of incidence within 1e-8 of critical, the vector form misjudges total reflection
-//!   for a fifth of the rays; the component form for none in 3000, with a hundredth of the error in the direction.
-//!   Between indices that differ by 1e-5, as in layers of warm air, the errors are 2e-12 and 5e-16.
+//!   (n_t − n_i S1)(n_t + n_i S1), which subtracts first, and from sin θ_t = 1/2 on the sine, the product and the root are
+//!   computed in double words, with the lengths of V and N put right: near the critical angle the law amplifies a rounding
+//!   by tan θ_t, which knows no bound. Of a million rays within 1e-15 to 1e-3 of critical, between indices that differ by
+//!   1e-7 and more, none is misjudged and none is off by more than 0.8 u = 9e-17; between indices that differ by 1e-7
+//!   the vector form misjudges a fifth of the rays within 1e-8 of critical.
 //! - *Length.* T is made of two perpendicular unit vectors, so its length is 1 but for rounding at any angle; the vector
 //!   form reaches 1e-15.
 

@@ -1,4 +1,4 @@
-//! A difference of products that does not cancel.
+//! Sums and differences of two products that do not cancel.
 
 use glam::DVec2;
 
@@ -16,6 +16,12 @@ pub fn cross(a: DVec2, b: DVec2) -> f64 {
     a.x.mul_add(b.y, -second) + error
 }
 
+/// The dot product `a.x * b.x + a.y * b.y`, with the accuracy of [`cross`]: also for vectors nearly at right angles.
+#[must_use]
+pub fn dot(a: DVec2, b: DVec2) -> f64 {
+    cross(a, b.perp())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -27,5 +33,6 @@ mod tests {
         let b = DVec2::new(1.0 + 2.0 * tiny, 1.0 + tiny);
         // (1 + ε)² − (1 + 2ε) = ε² exactly; the plain formula gives 0.
         assert_eq!(cross(a, b), tiny * tiny);
+        assert_eq!(dot(a, -b.perp()), tiny * tiny);
     }
 }
