@@ -11,7 +11,15 @@
 
 mod support;
 
+#[path = "accuracy/backward.rs"]
+mod backward;
 #[path = "accuracy/kernel.rs"]
 mod kernel;
+#[path = "accuracy/long_runs.rs"]
+mod long_runs;
 #[path = "accuracy/wide.rs"]
 mod wide;
+
+#[path = "laws/scenes.rs"]
+#[allow(dead_code, reason = "the laws' tests use all of it")]
+mod scenes;
