@@ -25,6 +25,8 @@ mod condition;
 mod curve;
 #[path = "reference/doubts.rs"]
 mod doubts;
+#[path = "reference/generator.rs"]
+mod generator;
 #[path = "reference/laws.rs"]
 mod laws;
 #[path = "reference/media.rs"]

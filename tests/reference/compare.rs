@@ -12,7 +12,7 @@ use crate::support::figures::U;
 use crate::support::wide::{Wide2, narrow, wide};
 use crate::tracer::{self, Reference, reference};
 
-/// A child of less than this share of the source ray is nothing but rounding, and need not be there: at Brewster's angle.
+/// A child of less than this share of the source ray is nothing but rounding, at Brewster's angle, and passed over.
 const NOTHING: f64 = 1e-26;
 
 /// What a comparison finds.
@@ -93,13 +93,19 @@ impl Comparison<'_> {
     }
 
     fn children(&mut self, actual: &Segment, expected: &tracer::Segment) {
-        let children = self.traced.segments.iter().filter(|child| child.parent == Some(actual.id));
-        let mut children = children.peekable();
+        let (traced, whole) = (self.traced, narrow(self.whole));
+        let children = traced.segments.iter().filter(|child| child.parent == Some(actual.id));
+        let is_nothing = |power: f64| power / whole < NOTHING;
+        let nothings = children.clone().filter(|child| is_nothing(child.power.total()));
+        self.findings.set_aside += nothings.map(|child| self.descendants(child)).sum::<usize>();
+        let mut children = children.filter(|child| !is_nothing(child.power.total())).peekable();
         for child in &expected.children {
             let [s, p] = child.start.truth().power;
+            if is_nothing(narrow(s + p)) {
+                continue;
+            }
             match children.next_if(|next| next.via == child.via) {
                 Some(next) => self.segment(next, child),
-                None if narrow((s + p) / self.whole) < NOTHING => {}
                 None => self.same(actual, "child", None, Some(child.via)),
             }
         }

@@ -7,7 +7,7 @@ use f256::f256;
 use crate::support::wide::{Wide2, narrow, power_of_two};
 
 /// Sign patterns, so that what cancels in one does not in another.
-const PATTERNS: usize = 4;
+const PATTERNS: usize = 6;
 
 /// Light on its way.
 #[derive(Clone, Copy)]
@@ -41,7 +41,8 @@ impl Nudge {
     fn new(state: usize, hits: u32, size: f256) -> Self {
         let Some(pattern) = state.checked_sub(1) else { return Self::NONE };
         let smallest = power_of_two(-60);
-        let sideways = if pattern >= 2 && hits % 2 == 1 { -smallest } else { smallest };
+        let flips = [false, hits % 2 == 1, hits % 4 >= 2][pattern / 2];
+        let sideways = if flips { -smallest } else { smallest };
         Self { sideways, turn: if pattern % 2 == 1 { -sideways } else { sideways }, pattern, size }
     }
 

@@ -156,6 +156,12 @@ impl Curve {
         self.circle.map_or_else(|| (self.b - self.a).perp().unit(), |circle| (p - circle.center).unit())
     }
 
+    /// The inverse radius, towards the center from a point of the curve.
+    pub(crate) fn curvature(&self, p: Wide2) -> Wide2 {
+        let towards = |circle: Circle| (f256::ONE / (circle.radius * circle.radius)) * (circle.center - p);
+        self.circle.map_or(Wide2::ZERO, towards)
+    }
+
     /// Distance from a point to the curve.
     pub(crate) fn distance(&self, p: Wide2) -> f256 {
         let to_ends = (p - self.a).length().min((p - self.b).length());

@@ -3,7 +3,8 @@
 
 use f256::f256;
 
-use crate::bench::{Bench, coincidence};
+use crate::bench::{Bench, Wall, coincidence};
+use crate::curve::Curve;
 use crate::condition::{Bundle, Nudge, State};
 use crate::support::figures::U;
 use crate::support::wide::{Wide2, power_of_two, wide};
@@ -11,7 +12,7 @@ use crate::support::wide::{Wide2, power_of_two, wide};
 /// Why a branch is set aside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Doubt {
-    /// It starts on or near a corner or a crossing, along a boundary, or all but on it.
+    /// It starts along a boundary, or all but on one.
     Start,
     /// It comes within 100 u × condition × size of a vertex or the crossing of two boundaries.
     Vertex,
@@ -19,7 +20,7 @@ pub(crate) enum Doubt {
     Touch,
     /// It comes within 100 u × condition of the critical angle.
     Critical,
-    /// Its power is within 1e-12 of `min_power`.
+    /// Its power is `min_power` to within 1e-12 of it.
     Power,
 }
 
@@ -29,14 +30,22 @@ fn doubtful(deviation: f256, least: f256) -> f256 {
 }
 
 /// Whether the way to `distance` comes near an end of a wall, or near touching an arc.
-pub(crate) fn on_the_way(bench: &Bench, bundle: &Bundle, distance: Option<f256>) -> Option<Doubt> {
+///
+/// A ray may start at the end of a wall, which it then stands on.
+pub(crate) fn on_the_way(
+    bench: &Bench,
+    bundle: &Bundle,
+    standing: &[usize],
+    distance: Option<f256>,
+) -> Option<Doubt> {
     let size = wide(bench.size);
     let State { p, d, .. } = *bundle.truth();
     let is_on_the_way = |along: f256, margin: f256| {
         along > -margin && distance.is_none_or(|distance| along < distance + margin)
     };
-    for wall in &bench.walls {
-        for end in wall.curve.ends() {
+    for (number, wall) in bench.walls.iter().enumerate() {
+        let is_here = |end: &Wide2| standing.contains(&number) && (*end - p).length() <= contact(wall);
+        for end in wall.curve.ends().into_iter().filter(|end| !is_here(end)) {
             let offset = |state: &State| state.d.cross(end - state.p);
             let margin = doubtful(bundle.deviation(offset), size);
             if offset(bundle.truth()).abs() < margin && is_on_the_way(d.dot(end - p), margin) {
@@ -62,10 +71,17 @@ pub(crate) fn at_hit(bench: &Bench, bundle: &Bundle, boundary: &[usize]) -> Opti
 
 /// Whether anything but the one boundary is within `margin` of a point on it.
 fn is_near_corner(bench: &Bench, p: Wide2, boundary: &[usize], margin: f256) -> bool {
-    let normal = boundary.first().map(|wall| bench.walls[*wall].curve.normal(p));
+    let earliest = boundary.first().map(|wall| &bench.walls[*wall].curve);
+    // Walls in one place are one boundary only where they run on together.
+    let parts = |curve: &Curve| {
+        earliest.is_some_and(|earliest| {
+            let turn = earliest.normal(p).cross(curve.normal(p)).abs();
+            let bend = (earliest.curvature(p) - curve.curvature(p)).length() * wide(bench.size);
+            turn.max(bend) > wide(1e-6)
+        })
+    };
     bench.walls.iter().enumerate().any(|(number, wall)| {
-        let crosses = || normal.is_some_and(|n| n.cross(wall.curve.normal(p)).abs() > wide(1e-6));
-        let is_apart = !boundary.contains(&number) || crosses();
+        let is_apart = !boundary.contains(&number) || parts(&wall.curve);
         (is_apart && wall.curve.distance(p) < margin)
             || wall.curve.ends().iter().any(|end| (*end - p).length() < margin)
     })
@@ -75,17 +91,24 @@ fn is_near_corner(bench: &Bench, p: Wide2, boundary: &[usize], margin: f256) -> 
 pub(crate) fn at_start(bench: &Bench, state: &State, boundary: &[usize]) -> Option<Doubt> {
     let margin = wide(100.0 * U * bench.size);
     let is_along = |wall: &usize| bench.walls[*wall].curve.normal(state.p).dot(state.d).abs() < wide(1e-9);
-    let is_doubtful = is_near_corner(bench, state.p, boundary, margin) || boundary.iter().any(is_along);
-    is_doubtful.then_some(Doubt::Start)
+    let is_apart = |wall: &usize| !boundary.contains(wall);
+    let mut others = (0..bench.walls.len()).filter(is_apart);
+    let is_beside = others.any(|wall| bench.walls[wall].curve.distance(state.p) < margin);
+    (is_beside || boundary.iter().any(is_along)).then_some(Doubt::Start)
 }
 
 /// The walls that a start is on, as exactly as coordinates are placed.
 pub(crate) fn under_start(bench: &Bench, p: Wide2) -> Vec<usize> {
     let is_on = |wall: &usize| {
         let wall = &bench.walls[*wall];
-        wall.curve.distance(p) <= wide(0.25 * coincidence(wall.reach))
+        wall.curve.distance(p) <= contact(wall)
     };
     (0..bench.walls.len()).filter(is_on).collect()
+}
+
+/// Distance within which a start is on a wall: the rounding of the wall's placement.
+fn contact(wall: &Wall) -> f256 {
+    wide(0.25 * coincidence(wall.reach))
 }
 
 /// Whether an angle of incidence is near the critical one; `beyond` is n_i sin θ_i − n_t, `scale` n_i cos θ_i.
@@ -96,5 +119,5 @@ pub(crate) fn at_critical_angle(bundle: &Bundle, scale: f256, beyond: impl Fn(&S
 
 /// Whether a share of the starting power is near the least that is followed.
 pub(crate) fn at_least_power(share: f256, least: f64) -> Option<Doubt> {
-    ((share - wide(least)).abs() < wide(1e-12)).then_some(Doubt::Power)
+    ((share - wide(least)).abs() < wide(1e-12 * least)).then_some(Doubt::Power)
 }

@@ -141,7 +141,7 @@ impl<'a> Tracer<'a> {
         }
         self.segments_left -= 1;
         let hit = self.next_hit(&branch);
-        let doubt = doubts::on_the_way(self.bench, &branch.bundle, hit.as_ref().map(|hit| hit.distance));
+        let doubt = doubts::on_the_way(self.bench, &branch.bundle, &branch.standing, hit.as_ref().map(|hit| hit.distance));
         match hit {
             _ if doubt.is_some() => Segment { doubt, ..self.cut(&branch, Ending::Escaped) },
             None => self.cut(&branch, Ending::Escaped),
