@@ -7,19 +7,27 @@ use snellius::scene::{Body, Medium, Shape, Substance, Surface, TraceSettings};
 
 use crate::curve::Curve;
 use crate::media::Formula;
+use crate::numbers::{Numbers, PATTERNS};
 use crate::placement::Placement;
-use crate::shapes::paths;
+use crate::shapes::{Path, paths};
 use crate::sources::starts;
 use crate::support::figures::U;
 use crate::support::wide::{Wide2, wide};
 
 /// One curve of a body.
 pub(crate) struct Wall {
-    pub(crate) curve: Curve,
+    /// Where it runs, and where it would with disturbed numbers.
+    pub(crate) curves: Vec<Curve>,
     /// Largest absolute coordinate.
     pub(crate) reach: f64,
     pub(crate) body: usize,
     pub(crate) surface: Option<Surface>,
+}
+
+impl Wall {
+    pub(crate) fn curve(&self) -> &Curve {
+        &self.curves[0]
+    }
 }
 
 /// What a closed outline is filled with.
@@ -53,27 +61,35 @@ impl Bench {
         for (number, body) in scene.bodies.iter().enumerate() {
             bench.add(number, body);
         }
-        let around_bodies = bench.walls.iter().flat_map(|wall| wall.curve.extremes());
+        let around_bodies = bench.walls.iter().flat_map(|wall| wall.curve().extremes());
         let around_starts = scene.sources.iter().flat_map(|source| starts(&source.light)).map(|(from, _)| from);
         let from_origin = |p: Wide2| (p - origin.into()).narrow().abs().max_element();
         bench.size = around_bodies.chain(around_starts).map(from_origin).fold(0.0, f64::max);
         let reach = bench.walls.iter().map(|wall| wall.reach).fold(0.0, f64::max);
         bench.step = wide(1e-10 * bench.size + 64.0 * coincidence(reach));
+        bench.disturb(&scene.bodies);
         bench
     }
 
     fn add(&mut self, number: usize, body: &Body) {
-        let placement = Placement::of(body);
-        for path in paths(&body.shape) {
+        let numbers = Numbers { state: 0, size: 0.0 };
+        for path in placed(body, &numbers) {
             let first = self.walls.len();
             let (medium, surface) = substance(body, path.medium);
-            // Rims of length 0 are none, up to rounding.
-            let curves = path.curves.into_iter().map(|curve| curve.placed(&placement));
-            let walls = curves.map(|curve| Wall { reach: curve.reach(), curve, body: number, surface });
-            self.walls.extend(walls.filter(|wall| wall.curve.is_whole() || wall.curve.chord() > coincidence(wall.reach)));
+            let wall = |curve: Curve| Wall { reach: curve.reach(), curves: vec![curve], body: number, surface };
+            self.walls.extend(path.curves.into_iter().map(wall));
             if let Some(medium) = medium {
                 self.fillings.push(Filling { walls: first..self.walls.len(), medium: Formula::of(&medium) });
             }
+        }
+    }
+
+    /// Where the walls would run with disturbed numbers.
+    fn disturb(&mut self, bodies: &[Body]) {
+        for state in 1..=PATTERNS {
+            let numbers = Numbers { state, size: self.size };
+            let curves = bodies.iter().flat_map(|body| placed(body, &numbers)).flat_map(|path| path.curves);
+            self.walls.iter_mut().zip(curves).for_each(|(wall, curve)| wall.curves.push(curve));
         }
     }
 
@@ -82,7 +98,7 @@ impl Bench {
         let holds = |filling: &&Filling| {
             // In a direction of no scene's, so that no vertex is met.
             let d = Wide2 { x: wide(0.739_085_133_215), y: wide(0.673_612_029_183) }.unit();
-            let crossings = self.walls[filling.walls.clone()].iter().flat_map(|wall| wall.curve.crossings(p, d));
+            let crossings = self.walls[filling.walls.clone()].iter().flat_map(|wall| wall.curve().crossings(p, d));
             crossings.filter(|crossing| crossing.distance > f256::ZERO).count() % 2 == 1
         };
         self.fillings.iter().rev().find(holds).map_or(&self.surroundings, |filling| &filling.medium)
@@ -93,7 +109,7 @@ impl Bench {
         let reach = self.walls[wall].reach;
         let is_near = |other: &&usize| {
             let other = &self.walls[**other];
-            other.curve.distance(p) <= wide(coincidence(reach.max(other.reach)))
+            other.curve().distance(p) <= wide(coincidence(reach.max(other.reach)))
         };
         let all: Vec<usize> = (0..self.walls.len()).collect();
         all.iter().filter(is_near).copied().collect()
@@ -103,6 +119,18 @@ impl Bench {
 /// Distance within which boundaries with this largest coordinate are one.
 pub(crate) fn coincidence(reach: f64) -> f64 {
     16.0 * U * reach
+}
+
+fn placed(body: &Body, numbers: &Numbers) -> Vec<Path> {
+    let placement = Placement::of(body, numbers);
+    let given = paths(&body.shape, &Numbers { state: 0, size: 0.0 });
+    let placed = |(path, given): (Path, &Path)| {
+        let pairs = path.curves.into_iter().zip(&given.curves);
+        let curves =
+            pairs.filter(|(_, given)| !given.is_rounding()).map(|(curve, _)| curve.placed(&placement)).collect();
+        Path { curves, ..path }
+    };
+    paths(&body.shape, numbers).into_iter().zip(&given).map(placed).collect()
 }
 
 fn substance(body: &Body, element: Option<Medium>) -> (Option<Medium>, Option<Surface>) {

@@ -56,7 +56,8 @@ fn row(name: &str, findings: &Findings) -> Vec<String> {
     let Findings { rays, compared, set_aside, in_sizes, in_conditions, .. } = findings;
     let counts = [rays, compared, set_aside].map(|count| count.to_string());
     // A tenth of u is as good as nothing.
-    let exponents = [(in_sizes, -17.0), (in_conditions, -1.0)].map(|(error, least)| exponent(*error, least).to_string());
+    let exponents =
+        [(in_sizes, -17.0), (in_conditions, -1.0)].map(|(error, least)| exponent(*error, least).to_string());
     [name.to_owned()].into_iter().chain(counts).chain(exponents).collect()
 }
 

@@ -1,13 +1,14 @@
 //! How much a path amplifies what it is disturbed by: the same path is followed several times beside itself, with the
-//! start and every hit displaced across the ray by 2^-60 of the scene's size, the direction turned by 2^-60 there, and
-//! indices, powers and lengths changed by 2^-60 of themselves, each time with other signs.
+//! start and every hit displaced across the ray by 2^-60 of the scene's size, the direction turned by 2^-60 there, powers
+//! and optical paths changed by 2^-60 of themselves, among walls and indices of disturbed numbers, each time with other
+//! signs.
 
 use f256::f256;
 
-use crate::support::wide::{Wide2, narrow, power_of_two};
-
-/// Sign patterns, so that what cancels in one does not in another.
-const PATTERNS: usize = 6;
+use crate::bench::Wall;
+use crate::curve::Curve;
+use crate::numbers::{Numbers, PATTERNS};
+use crate::support::wide::{Wide2, narrow, power_of_two, wide};
 
 /// Light on its way.
 #[derive(Clone, Copy)]
@@ -23,32 +24,33 @@ pub(crate) struct State {
 pub(crate) struct Nudge {
     sideways: f256,
     turn: f256,
-    pattern: usize,
-    size: f256,
+    numbers: Numbers,
 }
 
 /// The true state, and beside it the disturbed ones.
 #[derive(Clone)]
 pub(crate) struct Bundle {
     pub(crate) states: Vec<State>,
-    size: f256,
+    size: f64,
     hits: u32,
 }
 
 impl Nudge {
-    pub(crate) const NONE: Self = Self { sideways: f256::ZERO, turn: f256::ZERO, pattern: 0, size: f256::ZERO };
+    pub(crate) const NONE: Self =
+        Self { sideways: f256::ZERO, turn: f256::ZERO, numbers: Numbers { state: 0, size: 0.0 } };
 
-    fn new(state: usize, hits: u32, size: f256) -> Self {
+    fn new(state: usize, hits: u32, size: f64) -> Self {
         let Some(pattern) = state.checked_sub(1) else { return Self::NONE };
         let smallest = power_of_two(-60);
         let flips = [false, hits % 2 == 1, hits % 4 >= 2][pattern / 2];
         let sideways = if flips { -smallest } else { smallest };
-        Self { sideways, turn: if pattern % 2 == 1 { -sideways } else { sideways }, pattern, size }
+        let turn = if pattern % 2 == 1 { -sideways } else { sideways };
+        Self { sideways, turn, numbers: Numbers { state, size } }
     }
 
     /// A point displaced across a direction.
     pub(crate) fn point(&self, p: Wide2, d: Wide2) -> Wide2 {
-        p + (self.sideways * self.size) * d.perp()
+        p + (self.sideways * wide(self.numbers.size)) * d.perp()
     }
 
     pub(crate) fn direction(&self, d: Wide2) -> Wide2 {
@@ -60,17 +62,19 @@ impl Nudge {
         x + self.sideways * x
     }
 
-    /// An index: the same at every hit, and the same for equal ones.
+    /// An index.
     pub(crate) fn index(&self, n: f256) -> f256 {
-        let bits = narrow(n).to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (40 + self.pattern);
-        let change = self.sideways.abs() * n;
-        if bits % 2 == 0 { n + change } else { n - change }
+        self.numbers.number(n)
+    }
+
+    /// Where a wall runs.
+    pub(crate) fn curve<'a>(&self, wall: &'a Wall) -> &'a Curve {
+        &wall.curves[self.numbers.state]
     }
 }
 
 impl Bundle {
     pub(crate) fn new(start: State, size: f64) -> Self {
-        let size = f256::from(size);
         let nudged = |state| {
             let nudge = Nudge::new(state, 0, size);
             State { p: nudge.point(start.p, start.d), d: nudge.direction(start.d), ..start }
@@ -114,7 +118,7 @@ impl Bundle {
     }
 
     pub(crate) fn of_position(&self) -> f64 {
-        Self::condition(self.spread(|state| state.p), self.size)
+        Self::condition(self.spread(|state| state.p), wide(self.size))
     }
 
     pub(crate) fn of_direction(&self) -> f64 {
@@ -122,7 +126,7 @@ impl Bundle {
     }
 
     pub(crate) fn of_path(&self) -> f64 {
-        Self::condition(self.deviation(|state| state.path), self.size)
+        Self::condition(self.deviation(|state| state.path), wide(self.size))
     }
 
     /// Of the powers as shares of `whole`.

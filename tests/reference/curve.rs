@@ -2,6 +2,7 @@
 
 use f256::f256;
 
+use crate::bench::coincidence;
 use crate::placement::Placement;
 use crate::support::wide::{Wide2, narrow, wide};
 
@@ -128,10 +129,7 @@ impl Curve {
             return vec![];
         }
         let half = square.sqrt();
-        vec![
-            Crossing { distance: middle - half, exit: false },
-            Crossing { distance: middle + half, exit: true },
-        ]
+        vec![Crossing { distance: middle - half, exit: false }, Crossing { distance: middle + half, exit: true }]
     }
 
     /// The crossings of the curve itself with a line.
@@ -188,12 +186,8 @@ impl Curve {
         wide(0.5) * (self.a + self.b)
     }
 
-    /// Distance from end to end, 0 for a whole circle.
-    pub(crate) fn chord(&self) -> f64 {
-        narrow((self.b - self.a).length())
-    }
-
-    pub(crate) fn is_whole(&self) -> bool {
-        self.circle.is_some_and(|circle| circle.whole)
+    /// Whether it is an edge of no length, up to rounding.
+    pub(crate) fn is_rounding(&self) -> bool {
+        self.circle.is_none() && narrow((self.b - self.a).length()) <= coincidence(self.reach())
     }
 }

@@ -4,8 +4,8 @@
 use f256::f256;
 
 use crate::bench::{Bench, Wall, coincidence};
-use crate::curve::Curve;
 use crate::condition::{Bundle, Nudge, State};
+use crate::curve::Curve;
 use crate::support::figures::U;
 use crate::support::wide::{Wide2, power_of_two, wide};
 
@@ -32,29 +32,26 @@ fn doubtful(deviation: f256, least: f256) -> f256 {
 /// Whether the way to `distance` comes near an end of a wall, or near touching an arc.
 ///
 /// A ray may start at the end of a wall, which it then stands on.
-pub(crate) fn on_the_way(
-    bench: &Bench,
-    bundle: &Bundle,
-    standing: &[usize],
-    distance: Option<f256>,
-) -> Option<Doubt> {
+pub(crate) fn on_the_way(bench: &Bench, bundle: &Bundle, standing: &[usize], distance: Option<f256>) -> Option<Doubt> {
     let size = wide(bench.size);
     let State { p, d, .. } = *bundle.truth();
-    let is_on_the_way = |along: f256, margin: f256| {
-        along > -margin && distance.is_none_or(|distance| along < distance + margin)
-    };
+    let is_on_the_way =
+        |along: f256, margin: f256| along > -margin && distance.is_none_or(|distance| along < distance + margin);
     for (number, wall) in bench.walls.iter().enumerate() {
-        let is_here = |end: &Wide2| standing.contains(&number) && (*end - p).length() <= contact(wall);
-        for end in wall.curve.ends().into_iter().filter(|end| !is_here(end)) {
-            let offset = |state: &State| state.d.cross(end - state.p);
-            let margin = doubtful(bundle.deviation(offset), size);
-            if offset(bundle.truth()).abs() < margin && is_on_the_way(d.dot(end - p), margin) {
+        let is_here = |end: Wide2| standing.contains(&number) && (end - p).length() <= contact(wall);
+        for (place, end) in wall.curve().ends().into_iter().enumerate().filter(|(_, end)| !is_here(*end)) {
+            let offset = |state: &State, nudge: &Nudge| state.d.cross(nudge.curve(wall).ends()[place] - state.p);
+            let margin = doubtful(bundle.nudged_deviation(offset), size);
+            if d.cross(end - p).abs() < margin && is_on_the_way(d.dot(end - p), margin) {
                 return Some(Doubt::Vertex);
             }
         }
-        let Some(graze) = wall.curve.graze(p, d) else { continue };
-        let gap = |state: &State| wall.curve.graze(state.p, state.d).map_or(graze.gap, |graze| graze.gap);
-        if graze.gap.abs() < doubtful(bundle.deviation(gap), size) && is_on_the_way(graze.along, f256::ZERO) {
+        let Some(graze) = wall.curve().graze(p, d) else { continue };
+        let gap = |state: &State, nudge: &Nudge| {
+            nudge.curve(wall).graze(state.p, state.d).map_or(graze.gap, |graze| graze.gap)
+        };
+        let margin = doubtful(bundle.nudged_deviation(gap), size);
+        if graze.gap.abs() < margin && is_on_the_way(graze.along, f256::ZERO) {
             return Some(Doubt::Touch);
         }
     }
@@ -71,7 +68,7 @@ pub(crate) fn at_hit(bench: &Bench, bundle: &Bundle, boundary: &[usize]) -> Opti
 
 /// Whether anything but the one boundary is within `margin` of a point on it.
 fn is_near_corner(bench: &Bench, p: Wide2, boundary: &[usize], margin: f256) -> bool {
-    let earliest = boundary.first().map(|wall| &bench.walls[*wall].curve);
+    let earliest = boundary.first().map(|wall| bench.walls[*wall].curve());
     // Walls in one place are one boundary only where they run on together.
     let parts = |curve: &Curve| {
         earliest.is_some_and(|earliest| {
@@ -81,19 +78,19 @@ fn is_near_corner(bench: &Bench, p: Wide2, boundary: &[usize], margin: f256) -> 
         })
     };
     bench.walls.iter().enumerate().any(|(number, wall)| {
-        let is_apart = !boundary.contains(&number) || parts(&wall.curve);
-        (is_apart && wall.curve.distance(p) < margin)
-            || wall.curve.ends().iter().any(|end| (*end - p).length() < margin)
+        let is_apart = !boundary.contains(&number) || parts(wall.curve());
+        (is_apart && wall.curve().distance(p) < margin)
+            || wall.curve().ends().iter().any(|end| (*end - p).length() < margin)
     })
 }
 
 /// Whether a start is on no boundary clearly, or on one clearly.
 pub(crate) fn at_start(bench: &Bench, state: &State, boundary: &[usize]) -> Option<Doubt> {
     let margin = wide(100.0 * U * bench.size);
-    let is_along = |wall: &usize| bench.walls[*wall].curve.normal(state.p).dot(state.d).abs() < wide(1e-9);
+    let is_along = |wall: &usize| bench.walls[*wall].curve().normal(state.p).dot(state.d).abs() < wide(1e-9);
     let is_apart = |wall: &usize| !boundary.contains(wall);
     let mut others = (0..bench.walls.len()).filter(is_apart);
-    let is_beside = others.any(|wall| bench.walls[wall].curve.distance(state.p) < margin);
+    let is_beside = others.any(|wall| bench.walls[wall].curve().distance(state.p) < margin);
     (is_beside || boundary.iter().any(is_along)).then_some(Doubt::Start)
 }
 
@@ -101,7 +98,7 @@ pub(crate) fn at_start(bench: &Bench, state: &State, boundary: &[usize]) -> Opti
 pub(crate) fn under_start(bench: &Bench, p: Wide2) -> Vec<usize> {
     let is_on = |wall: &usize| {
         let wall = &bench.walls[*wall];
-        wall.curve.distance(p) <= contact(wall)
+        wall.curve().distance(p) <= contact(wall)
     };
     (0..bench.walls.len()).filter(is_on).collect()
 }
@@ -112,7 +109,11 @@ fn contact(wall: &Wall) -> f256 {
 }
 
 /// Whether an angle of incidence is near the critical one; `beyond` is n_i sin θ_i − n_t, `scale` n_i cos θ_i.
-pub(crate) fn at_critical_angle(bundle: &Bundle, scale: f256, beyond: impl Fn(&State, &Nudge) -> f256) -> Option<Doubt> {
+pub(crate) fn at_critical_angle(
+    bundle: &Bundle,
+    scale: f256,
+    beyond: impl Fn(&State, &Nudge) -> f256,
+) -> Option<Doubt> {
     let margin = doubtful(bundle.nudged_deviation(&beyond), scale);
     (beyond(bundle.truth(), &Nudge::NONE).abs() < margin).then_some(Doubt::Critical)
 }

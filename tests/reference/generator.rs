@@ -26,8 +26,11 @@ impl Generator {
     pub(crate) fn scene(&mut self) -> Scene {
         let place = self.place();
         self.is_lattice = self.random.below(3) == 0;
-        let bodies = (0..1 + self.random.below(4)).flat_map(|_| self.bodies(place)).collect();
+        let mut bodies: Vec<_> = (0..1 + self.random.below(5)).flat_map(|_| self.bodies(place)).collect();
         self.is_lattice = false;
+        if self.random.below(6) == 0 {
+            bodies.insert(self.random.below(bodies.len()), self.room(place));
+        }
         let sources = (0..2 + self.random.below(3)).map(|_| self.source(place)).collect();
         Scene { surroundings: self.medium(), bodies, sources, trace: self.settings(), ..Scene::default() }
     }
@@ -55,7 +58,11 @@ impl Generator {
     /// A body, one inside another, or two that are cemented.
     fn bodies(&mut self, place: DVec2) -> Vec<Body> {
         let at = place + self.point(8.0);
-        let rotate = if self.is_lattice || self.random.below(4) == 0 { 90.0 * self.within(2.0).round() } else { self.within(180.0) };
+        let rotate = if self.is_lattice || self.random.below(4) == 0 {
+            90.0 * self.within(2.0).round()
+        } else {
+            self.within(180.0)
+        };
         let body = |shape, substance| Body { name: None, label: None, color: None, shape, at, rotate, substance };
         match self.random.below(6) {
             0 => {
@@ -94,6 +101,17 @@ impl Generator {
                 vec![body(shape, substance)]
             }
         }
+    }
+
+    /// Mirrors all round, from which little escapes.
+    fn room(&mut self, at: DVec2) -> Body {
+        let shape = match self.random.below(3) {
+            0 => Shape::Disk { radius: self.between(15.0, 30.0) },
+            1 => Shape::Rectangle { width: self.between(20.0, 60.0), height: self.between(20.0, 60.0) },
+            _ => Shape::RegularPolygon { sides: 5, radius: self.between(15.0, 30.0) },
+        };
+        let (rotate, substance) = (self.within(180.0), Substance::Surface(Surface::Mirror));
+        Body { name: None, label: None, color: None, shape, at, rotate, substance }
     }
 
     fn filling(&mut self) -> Substance {
@@ -142,7 +160,10 @@ impl Generator {
         match self.random.below(10) {
             0 => self.polygon(),
             1 => Shape::Rectangle { width: self.between(0.5, 6.0), height: self.between(0.5, 6.0) },
-            2 => Shape::RegularPolygon { sides: 3 + u32::try_from(self.random.below(6)).unwrap(), radius: self.between(1.0, 5.0) },
+            2 => Shape::RegularPolygon {
+                sides: 3 + u32::try_from(self.random.below(6)).unwrap(),
+                radius: self.between(1.0, 5.0),
+            },
             3 => Shape::Prism { apex_angle: self.between(20.0, 120.0), side: self.between(1.0, 6.0) },
             4 => Shape::RightAnglePrism { leg: self.between(1.0, 6.0) },
             5 => Shape::Disk { radius: self.between(0.5, 5.0) },
@@ -171,7 +192,11 @@ impl Generator {
 
     /// Radius of a face that reaches up to half the diameter 4, or a plane one.
     fn radius(&mut self) -> f64 {
-        if self.random.below(5) == 0 { f64::INFINITY } else { self.between(2.5, 30.0) * [1.0, -1.0][self.random.below(2)] }
+        if self.random.below(5) == 0 {
+            f64::INFINITY
+        } else {
+            self.between(2.5, 30.0) * [1.0, -1.0][self.random.below(2)]
+        }
     }
 
     /// A distance between two faces that they do not cross in.

@@ -55,9 +55,7 @@ impl Formula {
         match self {
             Self::Constant(n) => wide(*n),
             Self::Speed(v) => wide(299_792_458.0) / wide(*v),
-            Self::Cauchy(coefficients) => {
-                coefficients.iter().rev().fold(f256::ZERO, |sum, c| sum / square + wide(*c))
-            }
+            Self::Cauchy(coefficients) => coefficients.iter().rev().fold(f256::ZERO, |sum, c| sum / square + wide(*c)),
             Self::Sellmeier { constant, terms } => {
                 (f256::ONE + sum(*constant, terms, &|b, c| b * square / (square - c))).sqrt()
             }
@@ -65,9 +63,7 @@ impl Formula {
                 (f256::ONE + sum(*constant, terms, &|b, c| b * square / (square - c * c))).sqrt()
             }
             Self::Powers { constant, terms } => sum(*constant, terms, &|c, p| c * wavelength.powf(&p)).sqrt(),
-            Self::Gas { constant, terms } => {
-                f256::ONE + sum(*constant, terms, &|b, c| b / (c - f256::ONE / square))
-            }
+            Self::Gas { constant, terms } => f256::ONE + sum(*constant, terms, &|b, c| b / (c - f256::ONE / square)),
         }
     }
 }

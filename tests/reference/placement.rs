@@ -3,6 +3,7 @@
 use ::f256::{consts::PI, f256};
 use snellius::scene::Body;
 
+use crate::numbers::Numbers;
 use crate::support::wide::{Wide2, wide};
 
 /// Cosine and sine of an angle in degrees; multiples of 90° are exact.
@@ -32,8 +33,9 @@ pub(crate) struct Placement {
 }
 
 impl Placement {
-    pub(crate) fn of(body: &Body) -> Self {
-        Self { turn: direction(wide(body.rotate)), at: body.at.into() }
+    pub(crate) fn of(body: &Body, numbers: &Numbers) -> Self {
+        let [x, y] = [body.at.x, body.at.y].map(|x| numbers.length(x));
+        Self { turn: direction(numbers.number(wide(body.rotate))), at: Wide2 { x, y } }
     }
 
     pub(crate) fn point(&self, p: Wide2) -> Wide2 {

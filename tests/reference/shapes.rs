@@ -5,6 +5,7 @@ use glam::DVec2;
 use snellius::scene::{Element, Medium, PathStep, Shape};
 
 use crate::curve::Curve;
+use crate::numbers::Numbers;
 use crate::placement::direction;
 use crate::support::wide::{Wide2, wide};
 
@@ -15,38 +16,36 @@ pub(crate) struct Path {
     pub(crate) medium: Option<Medium>,
 }
 
-pub(crate) fn paths(shape: &Shape) -> Vec<Path> {
+/// The paths of a shape.
+pub(crate) fn paths(shape: &Shape, numbers: &Numbers) -> Vec<Path> {
+    let [length, half] = [f256::ONE, wide(0.5)].map(|part| move |x: f64| part * numbers.length(x));
+    let at = |x, y| Wide2 { x, y };
+    let point = |p: DVec2| at(length(p.x), length(p.y));
+    let angle = |degrees: f64| numbers.number(wide(degrees));
+    let zero = f256::ZERO;
     let curves = match shape {
-        Shape::LensGroup { diameter, surfaces } => return lens_group(*diameter, surfaces),
-        Shape::Stop { opening, height } => return stop(*opening, *height),
-        Shape::Polygon(points) => polygon(&points.iter().map(|p| Wide2::from(*p)).collect::<Vec<_>>()),
+        Shape::LensGroup { diameter, surfaces } => return lens_group(half(*diameter), surfaces, numbers),
+        Shape::Stop { opening, height } => return stop(half(*opening), half(*height)),
+        Shape::Polygon(points) => polygon(&points.iter().map(|p| point(*p)).collect::<Vec<_>>()),
         Shape::Rectangle { width, height } => rectangle(half(*width), half(*height)),
-        Shape::RegularPolygon { sides, radius } => regular_polygon(*sides, wide(*radius)),
-        Shape::Prism { apex_angle, side } => prism(wide(*apex_angle), wide(*side)),
-        Shape::RightAnglePrism { leg } => polygon(&[at(0.0, 0.0), at(*leg, 0.0), at(0.0, *leg)]),
-        Shape::Disk { radius } => vec![Curve::whole(Wide2::ZERO, wide(*radius))],
+        Shape::RegularPolygon { sides, radius } => regular_polygon(*sides, length(*radius)),
+        Shape::Prism { apex_angle, side } => prism(angle(*apex_angle), length(*side)),
+        Shape::RightAnglePrism { leg } => polygon(&[Wide2::ZERO, at(length(*leg), zero), at(zero, length(*leg))]),
+        Shape::Disk { radius } => vec![Curve::whole(Wide2::ZERO, length(*radius))],
         Shape::HalfDisk { radius } => {
-            let (top, bottom) = (at(0.0, *radius), at(0.0, -*radius));
+            let (top, bottom) = (at(zero, length(*radius)), at(zero, -length(*radius)));
             vec![Curve::about(Wide2::ZERO, bottom, top, true), Curve::line(top, bottom)]
         }
         Shape::Lens { radii, thickness, diameter, facets } => {
-            let [left, right] = [(-*thickness, radii[0]), (*thickness, radii[1])]
-                .map(|(x, radius)| Face { vertex: half(x), radius });
+            let [left, right] = [(-half(*thickness), radii[0]), (half(*thickness), radii[1])]
+                .map(|(vertex, radius)| Face::new(vertex, radius, numbers));
             element(&left, &right, half(*diameter), *facets)
         }
-        Shape::Outline { start, path } => outline(*start, path),
-        Shape::Flat { from, to } => vec![Curve::line((*from).into(), (*to).into())],
-        Shape::Arc { from, through, to } => vec![Curve::through((*from).into(), (*through).into(), (*to).into())],
+        Shape::Outline { start, path } => outline(*start, path, point),
+        Shape::Flat { from, to } => vec![Curve::line(point(*from), point(*to))],
+        Shape::Arc { from, through, to } => vec![Curve::through(point(*from), point(*through), point(*to))],
     };
     vec![Path { curves, medium: None }]
-}
-
-fn at(x: f64, y: f64) -> Wide2 {
-    DVec2::new(x, y).into()
-}
-
-fn half(x: f64) -> f256 {
-    wide(0.5) * wide(x)
 }
 
 fn polygon(points: &[Wide2]) -> Vec<Curve> {
@@ -70,40 +69,40 @@ fn prism(apex_angle: f256, side: f256) -> Vec<Curve> {
     polygon(&[(-half.y, -third), (half.y, -third), (f256::ZERO, wide(2.0) * third)].map(|(x, y)| Wide2 { x, y }))
 }
 
-/// A face of a lens: where it crosses the axis, and its radius, positive when its center lies to the right.
+/// A face of a lens: where it crosses the axis, and its radius, positive when its center lies to the right; `None` is plane.
 struct Face {
     vertex: f256,
-    radius: f64,
+    radius: Option<f256>,
 }
 
 impl Face {
+    fn new(vertex: f256, radius: f64, numbers: &Numbers) -> Self {
+        Self { vertex, radius: radius.is_finite().then(|| numbers.length(radius)) }
+    }
+
     fn at(&self, height: f256) -> Wide2 {
-        let sag = if self.radius.is_infinite() {
-            f256::ZERO
-        } else {
-            let radius = wide(self.radius.abs());
-            let depth = radius - (radius * radius - height * height).max(f256::ZERO).sqrt();
-            if self.radius > 0.0 { depth } else { -depth }
+        let sag = |radius: f256| {
+            let to_center = (radius * radius - height * height).max(f256::ZERO).sqrt();
+            radius - to_center.copysign(radius)
         };
-        Wide2 { x: self.vertex + sag, y: height }
+        Wide2 { x: self.vertex + self.radius.map_or(f256::ZERO, sag), y: height }
     }
 
     /// From the bottom to the top, as one arc or as chords of equal angle.
     fn upward(&self, half_height: f256, facets: Option<u32>) -> Vec<Curve> {
         let (bottom, top) = (self.at(-half_height), self.at(half_height));
-        match facets {
-            _ if self.radius.is_infinite() => vec![Curve::line(bottom, top)],
-            None => {
-                let center = Wide2 { x: self.vertex + wide(self.radius), y: f256::ZERO };
+        match (self.radius, facets) {
+            (None, _) => vec![Curve::line(bottom, top)],
+            (Some(radius), None) => {
+                let center = Wide2 { x: self.vertex + radius, y: f256::ZERO };
                 // A center on the right makes an upward arc turn right.
-                vec![Curve::about(center, bottom, top, self.radius < 0.0)]
+                vec![Curve::about(center, bottom, top, radius < f256::ZERO)]
             }
-            Some(count) => self.chords(half_height, count),
+            (Some(radius), Some(count)) => self.chords(radius.abs(), half_height, count),
         }
     }
 
-    fn chords(&self, half_height: f256, count: u32) -> Vec<Curve> {
-        let radius = wide(self.radius.abs());
+    fn chords(&self, radius: f256, half_height: f256, count: u32) -> Vec<Curve> {
         let half_angle = (half_height / radius).asin();
         let height = |k: u32| {
             let share = wide(2.0 * f64::from(k)) / wide(f64::from(count)) - f256::ONE;
@@ -122,36 +121,35 @@ fn element(left: &Face, right: &Face, half_height: f256, facets: Option<u32>) ->
     curves
 }
 
-fn lens_group(diameter: f64, surfaces: &[Element]) -> Vec<Path> {
+fn lens_group(half_height: f256, surfaces: &[Element], numbers: &Numbers) -> Vec<Path> {
     let mut vertex = f256::ZERO;
     let path = |pair: &[Element]| {
-        let left = Face { vertex, radius: pair[0].radius };
-        vertex += wide(pair[0].thickness.unwrap());
-        let right = Face { vertex, radius: pair[1].radius };
-        Path { curves: element(&left, &right, half(diameter), None), medium: pair[0].medium.clone() }
+        let left = Face::new(vertex, pair[0].radius, numbers);
+        vertex += numbers.length(pair[0].thickness.unwrap());
+        let right = Face::new(vertex, pair[1].radius, numbers);
+        Path { curves: element(&left, &right, half_height, None), medium: pair[0].medium.clone() }
     };
     surfaces.windows(2).map(path).collect()
 }
 
-fn outline(start: DVec2, path: &[PathStep]) -> Vec<Curve> {
+fn outline(start: DVec2, path: &[PathStep], point: impl Fn(DVec2) -> Wide2) -> Vec<Curve> {
     let mut at = start;
     let mut curves = Vec::new();
     for step in path {
         let (curve, to) = match *step {
-            PathStep::LineTo(to) => (Curve::line(at.into(), to.into()), to),
-            PathStep::ArcTo { through, to } => (Curve::through(at.into(), through.into(), to.into()), to),
+            PathStep::LineTo(to) => (Curve::line(point(at), point(to)), to),
+            PathStep::ArcTo { through, to } => (Curve::through(point(at), point(through), point(to)), to),
         };
         curves.push(curve);
         at = to;
     }
     if at != start {
-        curves.push(Curve::line(at.into(), start.into()));
+        curves.push(Curve::line(point(at), point(start)));
     }
     curves
 }
 
-fn stop(opening: f64, height: f64) -> Vec<Path> {
-    let (inner, outer) = (half(opening), half(height));
+fn stop(inner: f256, outer: f256) -> Vec<Path> {
     let point = |y: f256| Wide2 { x: f256::ZERO, y };
     let jaw = |from, to| Path { curves: vec![Curve::line(point(from), point(to))], medium: None };
     vec![jaw(-outer, -inner), jaw(inner, outer)]

@@ -141,7 +141,8 @@ impl<'a> Tracer<'a> {
         }
         self.segments_left -= 1;
         let hit = self.next_hit(&branch);
-        let doubt = doubts::on_the_way(self.bench, &branch.bundle, &branch.standing, hit.as_ref().map(|hit| hit.distance));
+        let doubt =
+            doubts::on_the_way(self.bench, &branch.bundle, &branch.standing, hit.as_ref().map(|hit| hit.distance));
         match hit {
             _ if doubt.is_some() => Segment { doubt, ..self.cut(&branch, Ending::Escaped) },
             None => self.cut(&branch, Ending::Escaped),
@@ -160,7 +161,7 @@ impl<'a> Tracer<'a> {
     /// Crossings of one wall ahead. Of what the ray stands on, only the far side of a circle.
     fn crossings(&self, branch: &Branch, wall: usize) -> Vec<(usize, Crossing)> {
         let &State { p, d, .. } = branch.bundle.truth();
-        let curve = &self.bench.walls[wall].curve;
+        let curve = self.bench.walls[wall].curve();
         let least = power_of_two(-100) * wide(self.bench.size);
         let stands_on = branch.standing.contains(&wall);
         let heads_inside = curve.circle.is_some_and(|circle| d.dot(p - circle.center) < f256::ZERO);
@@ -173,8 +174,8 @@ impl<'a> Tracer<'a> {
     /// What is at a crossing; `None` where the same medium is on both sides and no surface.
     fn hit(&self, wall: usize, crossing: &Crossing, p: Wide2, d: Wide2) -> Option<Hit<'a>> {
         let bench = self.bench;
-        let mut boundary = bench.boundary(wall, p + crossing.distance * d);
-        let earliest = &bench.walls[boundary[0]].curve;
+        let boundary = bench.boundary(wall, p + crossing.distance * d);
+        let earliest = bench.walls[boundary[0]].curve();
         let off = |own: &Crossing| (own.distance - crossing.distance).abs();
         let own = earliest.crossings_of_whole(p, d);
         let Crossing { distance, exit } = own.into_iter().min_by(|u, v| off(u).partial_cmp(&off(v)).unwrap())?;
@@ -184,16 +185,16 @@ impl<'a> Tracer<'a> {
         let surface = boundary.iter().rev().map(|k| &bench.walls[*k]).find(|wall| wall.surface.is_some());
         let [before, behind] = [normal, -normal].map(|side| bench.medium_at(at + bench.step * side));
         let acts = surface.is_some() || before != behind;
-        boundary.dedup();
         acts.then_some(Hit { distance, exit, boundary, surface, behind, normal })
     }
 
     fn arrive(&mut self, branch: &Branch<'a>, hit: &Hit<'a>) -> Segment {
-        let curve = &self.bench.walls[hit.boundary[0]].curve;
+        let wall = &self.bench.walls[hit.boundary[0]];
         let n_i = self.index(branch.medium);
         let arrived = branch.bundle.after_hit(|state, nudge| {
-            let crossings = curve.crossings_of_whole(state.p, state.d).into_iter();
-            let distance = crossings.filter(|crossing| crossing.exit == hit.exit).map(|crossing| crossing.distance).next()?;
+            let crossings = nudge.curve(wall).crossings_of_whole(state.p, state.d).into_iter();
+            let distance =
+                crossings.filter(|crossing| crossing.exit == hit.exit).map(|crossing| crossing.distance).next()?;
             let p = nudge.point(state.p + distance * state.d, state.d);
             Some(State { p, path: state.path + nudge.number(nudge.index(n_i) * distance), ..*state })
         });
@@ -219,30 +220,37 @@ impl<'a> Tracer<'a> {
     /// Spawns what a hit reflects and transmits.
     fn secondary(&mut self, branch: &Branch<'a>, hit: &Hit<'a>, arrived: &Bundle, segment: Segment) -> Segment {
         let (n_i, n_t) = (self.index(branch.medium), self.index(hit.behind));
-        let curve = &self.bench.walls[hit.boundary[0]].curve;
-        let normal = |state: &State| {
-            let normal = curve.normal(state.p);
+        let wall = &self.bench.walls[hit.boundary[0]];
+        let normal = |state: &State, nudge: &Nudge| {
+            let normal = nudge.curve(wall).normal(state.p);
             if normal.dot(hit.normal) < f256::ZERO { -normal } else { normal }
         };
-        let is_refracting = matches!(hit.surface.and_then(|wall| wall.surface), None | Some(Surface::BeamSplitter { .. }));
+        let is_refracting =
+            matches!(hit.surface.and_then(|wall| wall.surface), None | Some(Surface::BeamSplitter { .. }));
         let scale = n_i * arrived.truth().d.dot(hit.normal).abs();
         let beyond = |state: &State, nudge: &Nudge| {
-            beyond_critical(state.d, normal(state), nudge.index(n_i), nudge.index(n_t))
+            beyond_critical(state.d, normal(state, nudge), nudge.index(n_i), nudge.index(n_t))
         };
-        if is_refracting && n_i > n_t && let Some(doubt) = doubts::at_critical_angle(arrived, scale, beyond) {
+        if is_refracting
+            && n_i > n_t
+            && let Some(doubt) = doubts::at_critical_angle(arrived, scale, beyond)
+        {
             return Segment { doubt: Some(doubt), end: None, body: None, ..segment };
         }
         let total = is_refracting && n_i != n_t && beyond(arrived.truth(), &Nudge::NONE) >= f256::ZERO;
         let way = |transmitted: bool| {
             arrived.after_hit(|state, nudge| {
                 let (n_i, n_t) = (nudge.index(n_i), nudge.index(n_t));
-                let (d, shares) = self.share(hit, state, normal(state), [n_i, n_t], transmitted)?;
+                let (d, shares) = self.share(hit, (state, nudge), normal(state, nudge), [n_i, n_t], transmitted)?;
                 let power = [0, 1].map(|k| nudge.number(state.power[k] * shares[k]));
                 Some(State { d: nudge.direction(d), power, ..*state })
             })
         };
         let reflection = if total { Via::TotalInternalReflection } else { Via::Reflection };
-        let ways = [(Via::Transmission, hit.behind, (!total).then(|| way(true))), (reflection, branch.medium, Some(way(false)))];
+        let ways = [
+            (Via::Transmission, hit.behind, (!total).then(|| way(true))),
+            (reflection, branch.medium, Some(way(false))),
+        ];
         let mut children = Vec::new();
         let mut doubt = None;
         for (via, medium, bundle) in ways {
@@ -262,21 +270,28 @@ impl<'a> Tracer<'a> {
     }
 
     /// Direction and shares of s and p of what goes one way; `None` if nothing can.
-    fn share(&self, hit: &Hit, state: &State, n: Wide2, [n_i, n_t]: [f256; 2], transmitted: bool) -> Option<(Wide2, [f256; 2])> {
-        let (none, all) = (f256::ZERO, f256::ONE);
-        let v = state.d;
+    fn share(
+        &self,
+        hit: &Hit,
+        (state, nudge): (&State, &Nudge),
+        n: Wide2,
+        [n_i, n_t]: [f256; 2],
+        transmitted: bool,
+    ) -> Option<(Wide2, [f256; 2])> {
+        let (none, all, v) = (f256::ZERO, f256::ONE, state.d);
+        let turn_back = reflect;
         let fixed = |reflect: f64, transmit: f64| {
             let t = refract(v, n, n_i, n_t);
             match (transmitted, t) {
                 (true, t) => t.map(|t| (t, [wide(transmit); 2])),
-                (false, Some(_)) => Some((reflect_of(v, n), [wide(reflect); 2])),
-                (false, None) => Some((reflect_of(v, n), [wide(reflect) + wide(transmit); 2])),
+                (false, Some(_)) => Some((turn_back(v, n), [wide(reflect); 2])),
+                (false, None) => Some((turn_back(v, n), [wide(reflect) + wide(transmit); 2])),
             }
         };
         match hit.surface.map(|wall| (wall, wall.surface)) {
             Some((_, Some(Surface::Mirror))) => Some((reflect(v, n), [if transmitted { none } else { all }; 2])),
             Some((wall, Some(Surface::ThinLens { focal_length }))) => {
-                let from_center = state.p - wall.curve.middle();
+                let from_center = state.p - nudge.curve(wall).middle();
                 let d = thin_lens(v, n, from_center, wide(focal_length), n_i, n_t);
                 Some((d, [if transmitted { all } else { none }; 2]))
             }
@@ -295,5 +310,3 @@ impl<'a> Tracer<'a> {
         }
     }
 }
-
-use reflect as reflect_of;
