@@ -31,6 +31,8 @@ mod generator;
 mod laws;
 #[path = "reference/media.rs"]
 mod media;
+#[path = "reference/meeting.rs"]
+mod meeting;
 #[path = "reference/numbers.rs"]
 mod numbers;
 #[path = "reference/placement.rs"]

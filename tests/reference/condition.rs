@@ -86,12 +86,21 @@ impl Bundle {
         &self.states[0]
     }
 
-    /// Every state after a hit; `None` where a disturbed one does not share the way.
-    pub(crate) fn after_hit(&self, next: impl Fn(&State, &Nudge) -> Option<State>) -> Option<Self> {
-        let hits = self.hits + 1;
+    /// Every state where it arrives; `None` where a disturbed one does not share the way.
+    pub(crate) fn at_hit(&self, next: impl Fn(&State, &Nudge) -> Option<State>) -> Option<Self> {
         let nudged = self.states.iter().enumerate();
-        let states = nudged.map(|(k, state)| next(state, &Nudge::new(k, hits, self.size))).collect::<Option<_>>()?;
-        Some(Self { states, size: self.size, hits })
+        let states = nudged.map(|(k, state)| next(state, &self.nudge(k))).collect::<Option<_>>()?;
+        Some(Self { states, ..*self })
+    }
+
+    /// Every state after a hit; `None` as at it.
+    pub(crate) fn after_hit(&self, next: impl Fn(&State, &Nudge) -> Option<State>) -> Option<Self> {
+        Some(Self { hits: self.hits + 1, ..self.at_hit(next)? })
+    }
+
+    /// What disturbs a state at the next hit.
+    fn nudge(&self, state: usize) -> Nudge {
+        Nudge::new(state, self.hits + 1, self.size)
     }
 
     /// Largest deviation of a number from its true one.
@@ -101,10 +110,9 @@ impl Bundle {
 
     /// The same, of a number that what disturbs the next hit has a part in.
     pub(crate) fn nudged_deviation(&self, number: impl Fn(&State, &Nudge) -> f256) -> f256 {
-        let nudge = |k| Nudge::new(k, self.hits + 1, self.size);
         let truth = number(self.truth(), &Nudge::NONE);
         let states = self.states.iter().enumerate();
-        states.map(|(k, state)| (number(state, &nudge(k)) - truth).abs()).fold(f256::ZERO, f256::max)
+        states.map(|(k, state)| (number(state, &self.nudge(k)) - truth).abs()).fold(f256::ZERO, f256::max)
     }
 
     fn spread(&self, vector: impl Fn(&State) -> Wide2) -> f256 {

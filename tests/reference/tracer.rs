@@ -2,15 +2,15 @@
 
 use f256::f256;
 use glam::DVec2;
-use snellius::scene::{SecondaryRays, Surface};
+use snellius::scene::Surface;
 use snellius::{Ending, Scene, Via};
 
 use crate::bench::{Bench, Wall};
-use crate::condition::{Bundle, Nudge, State};
+use crate::condition::{Bundle, State};
 use crate::curve::Crossing;
 use crate::doubts::{self, Doubt};
-use crate::laws::{beyond_critical, reflect, reflectances, refract, thin_lens};
 use crate::media::Formula;
+use crate::meeting::Meeting;
 use crate::sources::{lines, power, starts};
 use crate::support::wide::{Wide2, power_of_two, wide};
 
@@ -33,7 +33,7 @@ pub(crate) struct Segment {
     /// Why it is compared no further than its start.
     pub(crate) doubt: Option<Doubt>,
     /// Transmitted before reflected.
-    pub(crate) children: Vec<Segment>,
+    pub(crate) children: Vec<Self>,
 }
 
 pub(crate) struct Reference {
@@ -191,7 +191,7 @@ impl<'a> Tracer<'a> {
     fn arrive(&mut self, branch: &Branch<'a>, hit: &Hit<'a>) -> Segment {
         let wall = &self.bench.walls[hit.boundary[0]];
         let n_i = self.index(branch.medium);
-        let arrived = branch.bundle.after_hit(|state, nudge| {
+        let arrived = branch.bundle.at_hit(|state, nudge| {
             let crossings = nudge.curve(wall).crossings_of_whole(state.p, state.d).into_iter();
             let distance =
                 crossings.filter(|crossing| crossing.exit == hit.exit).map(|crossing| crossing.distance).next()?;
@@ -219,94 +219,35 @@ impl<'a> Tracer<'a> {
 
     /// Spawns what a hit reflects and transmits.
     fn secondary(&mut self, branch: &Branch<'a>, hit: &Hit<'a>, arrived: &Bundle, segment: Segment) -> Segment {
-        let (n_i, n_t) = (self.index(branch.medium), self.index(hit.behind));
-        let wall = &self.bench.walls[hit.boundary[0]];
-        let normal = |state: &State, nudge: &Nudge| {
-            let normal = nudge.curve(wall).normal(state.p);
-            if normal.dot(hit.normal) < f256::ZERO { -normal } else { normal }
+        let meeting = Meeting {
+            wall: &self.bench.walls[hit.boundary[0]],
+            surface: hit.surface,
+            normal: hit.normal,
+            n_i: self.index(branch.medium),
+            n_t: self.index(hit.behind),
+            secondary_rays: self.bench.settings.secondary_rays,
         };
-        let is_refracting =
-            matches!(hit.surface.and_then(|wall| wall.surface), None | Some(Surface::BeamSplitter { .. }));
-        let scale = n_i * arrived.truth().d.dot(hit.normal).abs();
-        let beyond = |state: &State, nudge: &Nudge| {
-            beyond_critical(state.d, normal(state, nudge), nudge.index(n_i), nudge.index(n_t))
-        };
-        if is_refracting
-            && n_i > n_t
-            && let Some(doubt) = doubts::at_critical_angle(arrived, scale, beyond)
-        {
-            return Segment { doubt: Some(doubt), end: None, body: None, ..segment };
+        if let Some(doubt) = meeting.doubt(arrived) {
+            return Segment { doubt: Some(doubt), ..segment };
         }
-        let total = is_refracting && n_i != n_t && beyond(arrived.truth(), &Nudge::NONE) >= f256::ZERO;
-        let way = |transmitted: bool| {
-            arrived.after_hit(|state, nudge| {
-                let (n_i, n_t) = (nudge.index(n_i), nudge.index(n_t));
-                let (d, shares) = self.share(hit, (state, nudge), normal(state, nudge), [n_i, n_t], transmitted)?;
-                let power = [0, 1].map(|k| nudge.number(state.power[k] * shares[k]));
-                Some(State { d: nudge.direction(d), power, ..*state })
-            })
-        };
+        let total = meeting.is_total(arrived.truth());
+        let way = |transmitted: bool| arrived.after_hit(|state, nudge| meeting.way(state, nudge, transmitted));
         let reflection = if total { Via::TotalInternalReflection } else { Via::Reflection };
-        let ways = [
-            (Via::Transmission, hit.behind, (!total).then(|| way(true))),
-            (reflection, branch.medium, Some(way(false))),
-        ];
+        let mut ways = vec![(reflection, branch.medium, way(false))];
+        if !total {
+            ways.insert(0, (Via::Transmission, hit.behind, way(true)));
+        }
+        if ways.iter().any(|(.., bundle)| bundle.is_none()) {
+            return Segment { doubt: Some(Doubt::Critical), ..segment };
+        }
         let mut children = Vec::new();
-        let mut doubt = None;
         for (via, medium, bundle) in ways {
-            let Some(bundle) = bundle else { continue };
-            let Some(bundle) = bundle else {
-                doubt = Some(Doubt::Critical);
-                continue;
-            };
-            let [s, p] = bundle.truth().power;
-            if s + p > f256::ZERO {
-                let (standing, hits_behind) = (hit.boundary.clone(), branch.hits_behind + 1);
-                children.push(self.follow(Branch { via, bundle, medium, standing, hits_behind }));
-            }
+            let lit = |bundle: &Bundle| bundle.truth().power.iter().any(|power| *power > f256::ZERO);
+            let Some(bundle) = bundle.filter(lit) else { continue };
+            let (standing, hits_behind) = (hit.boundary.clone(), branch.hits_behind + 1);
+            children.push(self.follow(Branch { via, bundle, medium, standing, hits_behind }));
         }
         let ending = if children.is_empty() { Ending::Absorbed } else { Ending::Interface };
-        Segment { ending, children, doubt, total_internal_reflection: total, ..segment }
-    }
-
-    /// Direction and shares of s and p of what goes one way; `None` if nothing can.
-    fn share(
-        &self,
-        hit: &Hit,
-        (state, nudge): (&State, &Nudge),
-        n: Wide2,
-        [n_i, n_t]: [f256; 2],
-        transmitted: bool,
-    ) -> Option<(Wide2, [f256; 2])> {
-        let (none, all, v) = (f256::ZERO, f256::ONE, state.d);
-        let turn_back = reflect;
-        let fixed = |reflect: f64, transmit: f64| {
-            let t = refract(v, n, n_i, n_t);
-            match (transmitted, t) {
-                (true, t) => t.map(|t| (t, [wide(transmit); 2])),
-                (false, Some(_)) => Some((turn_back(v, n), [wide(reflect); 2])),
-                (false, None) => Some((turn_back(v, n), [wide(reflect) + wide(transmit); 2])),
-            }
-        };
-        match hit.surface.map(|wall| (wall, wall.surface)) {
-            Some((_, Some(Surface::Mirror))) => Some((reflect(v, n), [if transmitted { none } else { all }; 2])),
-            Some((wall, Some(Surface::ThinLens { focal_length }))) => {
-                let from_center = state.p - nudge.curve(wall).middle();
-                let d = thin_lens(v, n, from_center, wide(focal_length), n_i, n_t);
-                Some((d, [if transmitted { all } else { none }; 2]))
-            }
-            Some((_, Some(Surface::BeamSplitter { reflect, transmit }))) => fixed(reflect, transmit),
-            _ => {
-                let Some(t) = refract(v, n, n_i, n_t) else {
-                    return (!transmitted).then(|| (reflect(v, n), [all; 2]));
-                };
-                let reflected = match self.bench.settings.secondary_rays {
-                    SecondaryRays::Fresnel => reflectances(v, n, t, n_i, n_t),
-                    SecondaryRays::Fixed { kr, kt } => return fixed(kr, kt),
-                    SecondaryRays::TransmittedOnly => [none; 2],
-                };
-                Some(if transmitted { (t, reflected.map(|r| all - r)) } else { (reflect(v, n), reflected) })
-            }
-        }
+        Segment { ending, children, total_internal_reflection: total, ..segment }
     }
 }
