@@ -66,7 +66,7 @@ impl Bench {
         let from_origin = |p: Wide2| (p - origin.into()).narrow().abs().max_element();
         bench.size = around_bodies.chain(around_starts).map(from_origin).fold(0.0, f64::max);
         let reach = bench.walls.iter().map(|wall| wall.reach).fold(0.0, f64::max);
-        bench.step = wide(1e-12 * bench.size + 64.0 * coincidence(reach));
+        bench.step = wide(1e-12 * bench.size + 4.0 * coincidence(reach));
         bench.disturb(&scene.bodies);
         bench
     }

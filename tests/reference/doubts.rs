@@ -24,6 +24,10 @@ pub(crate) enum Doubt {
     Power,
 }
 
+/// snellius lets a ray pass an arc of which it cuts off a cap no higher than this share of the largest coordinate: 64 ulp,
+/// in which it takes places to be rounding.
+const LOWEST_CAP: f64 = 128.0 * U;
+
 /// What a deviation of the disturbed states means for f64: 100 u of what 2^-60 did.
 fn doubtful(deviation: f256, least: f256) -> f256 {
     wide(100.0 * U) * least.max(deviation / power_of_two(-60))
@@ -50,8 +54,10 @@ pub(crate) fn on_the_way(bench: &Bench, bundle: &Bundle, standing: &[usize], dis
         let gap = |state: &State, nudge: &Nudge| {
             nudge.curve(wall).graze(state.p, state.d).map_or(graze.gap, |graze| graze.gap)
         };
-        let margin = doubtful(bundle.nudged_deviation(gap), size);
-        if graze.gap.abs() < margin && is_on_the_way(graze.along, f256::ZERO) {
+        let margin = doubtful(bundle.nudged_deviation(gap), size).max(wide(LOWEST_CAP * wall.reach.max(bench.size)));
+        // What cuts off a cap so high meets the arc half a chord before its middle.
+        let half_chord = wall.curve().circle.map_or(f256::ZERO, |circle| (wide(2.0) * circle.radius * margin).sqrt());
+        if graze.gap.abs() < margin && is_on_the_way(graze.along, half_chord) {
             return Some(Doubt::Touch);
         }
     }
@@ -64,6 +70,11 @@ pub(crate) fn at_hit(bench: &Bench, bundle: &Bundle, boundary: &[usize]) -> Opti
     let deviation = bundle.deviation(|state| (state.p - p).length());
     let margin = doubtful(deviation, wide(bench.size)).max(wide(4.0) * bench.step);
     is_near_corner(bench, p, boundary, margin).then_some(Doubt::Vertex)
+}
+
+/// Whether the medium beside a point of a boundary cannot be told: it is asked for a step away.
+pub(crate) fn hides_medium(bench: &Bench, p: Wide2, boundary: &[usize]) -> bool {
+    is_near_corner(bench, p, boundary, wide(4.0) * bench.step)
 }
 
 /// Whether anything but the one boundary is within `margin` of a point on it.

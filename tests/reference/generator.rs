@@ -7,9 +7,10 @@ use snellius::scene::{
     Surface, TraceSettings,
 };
 
+use crate::bench::Wall;
 use crate::placement::{direction, turned};
 use crate::support::random::Random;
-use crate::support::wide::wide;
+use crate::support::wide::{narrow, wide};
 
 /// Makes scenes, one after the other.
 pub(crate) struct Generator {
@@ -254,6 +255,23 @@ impl Generator {
         };
         let polarization = [Polarization::Unpolarized, Polarization::S, Polarization::P][self.random.below(3)];
         Source { name: None, color: None, light, spectrum, power: self.between(0.1, 3.0), polarization }
+    }
+
+    /// A ray that all but meets an end of a curve, or all but touches it, by 1e-14 to 1e-4.
+    pub(crate) fn aimed(&mut self, walls: &[Wall]) -> Source {
+        let curve = walls[self.random.below(walls.len())].curve();
+        let off = libm::exp10(self.between(-14.0, -4.0)) * [1.0, -1.0][self.random.below(2)];
+        let ends = curve.ends();
+        let along = direction(wide(self.within(180.0))).narrow();
+        let goal = match curve.circle {
+            Some(circle) if ends.is_empty() || self.random.below(2) == 0 => {
+                circle.center.narrow() + (narrow(circle.radius) + off) * along.perp()
+            }
+            _ => ends[self.random.below(ends.len())].narrow() + off * along.perp(),
+        };
+        let light = Light::Ray { from: goal - self.between(5.0, 20.0) * along, direction: Direction::Towards(goal) };
+        let (spectrum, polarization) = (Spectrum::default(), Polarization::default());
+        Source { name: None, color: None, light, spectrum, power: 1.0, polarization }
     }
 
     fn settings(&mut self) -> TraceSettings {

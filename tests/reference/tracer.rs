@@ -171,7 +171,7 @@ impl<'a> Tracer<'a> {
         curve.crossings(p, d).into_iter().filter(is_met).map(|crossing| (wall, crossing)).collect()
     }
 
-    /// What is at a crossing; `None` where the same medium is on both sides and no surface.
+    /// What is at a crossing; `None` where the same medium is on both sides and no surface, for sure.
     fn hit(&self, wall: usize, crossing: &Crossing, p: Wide2, d: Wide2) -> Option<Hit<'a>> {
         let bench = self.bench;
         let boundary = bench.boundary(wall, p + crossing.distance * d);
@@ -184,7 +184,7 @@ impl<'a> Tracer<'a> {
         let normal = if normal.dot(d) > f256::ZERO { -normal } else { normal };
         let surface = boundary.iter().rev().map(|k| &bench.walls[*k]).find(|wall| wall.surface.is_some());
         let [before, behind] = [normal, -normal].map(|side| bench.medium_at(at + bench.step * side));
-        let acts = surface.is_some() || before != behind;
+        let acts = surface.is_some() || before != behind || doubts::hides_medium(bench, at, &boundary);
         acts.then_some(Hit { distance, exit, boundary, surface, behind, normal })
     }
 
