@@ -135,7 +135,7 @@ fn a_path_sent_back_returns() {
     let mut random = Random(14);
     for (hits, bound) in [(20_u32, 1e-13), (100, 2e-12)] {
         let mut off: Vec<f64> = Vec::new();
-        for _ in 0..size(100, 1_000) {
+        for _ in 0..size(200, 1_000) {
             let bodies = labyrinth(&mut random);
             let light = Light::Ray { from: DVec2::new(7.0, 4.5), direction: Direction::Angle(360.0 * random.unit()) };
             let trace = TraceSettings { max_depth: hits + 1, min_power: 1e-4, ..TraceSettings::default() };
