@@ -2,7 +2,6 @@ use std::time::Instant;
 
 /// Median seconds of every task, the tasks run in turns, so that a slow minute of the machine slows them all alike.
 pub(crate) fn medians(rounds: usize, tasks: &mut [Box<dyn FnMut() + '_>]) -> Vec<f64> {
-    tasks.iter_mut().for_each(|task| task());
     let mut times = vec![Vec::new(); tasks.len()];
     for round in 0..rounds {
         for turn in 0..tasks.len() {

@@ -16,7 +16,6 @@ use crate::table::{Table, digits};
 
 /// Deep enough that only power cuts.
 const NO_DEPTH: u32 = 100_000;
-const FINE_POWER: f64 = 1e-5;
 
 struct Measured {
     scene: &'static str,
@@ -31,27 +30,23 @@ struct Measured {
 
 pub(crate) fn run(study: &mut Study) {
     let scenes = [("prism", prism()), ("slabs", slabs()), ("500 polygons", polygons())];
-    let most = study.size(20_000, 400_000);
+    let most = study.size(4000, 1_000_000);
     let mut results = Vec::new();
     for (name, scene) in &scenes {
         let with = |min_power, max_depth| TraceSettings { min_power, max_depth, ..TraceSettings::default() };
         let powers = (1..=8).map(|k| with(f64::from(10_u32.pow(k)).recip(), NO_DEPTH)).collect();
         results.extend(sweep(name, "min_power", scene, powers, most, study.size(1, 3)));
         let depths = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
-        let at_default = depths.map(|depth| with(1e-3, depth)).into();
-        results.extend(sweep(name, "max_depth at 1e-3", scene, at_default, most, study.size(1, 3)));
-        let fine = depths.map(|depth| with(FINE_POWER, depth)).into();
-        results.extend(sweep(name, "max_depth at 1e-5", scene, fine, most, study.size(1, 3)));
+        let depths = depths.map(|depth| with(TraceSettings::default().min_power, depth)).into();
+        results.extend(sweep(name, "max_depth", scene, depths, most, study.size(1, 3)));
     }
     study.save(&table(&results));
-    study.draw(
-        "cuts",
-        &[
-            panel("min_power, no limit of depth", &results, "min_power"),
-            panel("max_depth at min_power 1e-5", &results, "max_depth at 1e-5"),
-        ],
-    );
-    for result in results.iter().filter(|result| result.max_depth == 32 && result.sweep == "max_depth at 1e-3") {
+    let power =
+        panel("By min_power, without max_depth", &results, "min_power", "segments per ray", |r| r.segments_per_ray);
+    let depth =
+        panel("By max_depth, at the default min_power", &results, "max_depth", "max_depth", |r| f64::from(r.max_depth));
+    study.draw("cuts", &[power, depth]);
+    for result in results.iter().filter(|result| result.sweep == "max_depth" && result.is_default()) {
         let name = format!("cuts: unaccounted with the defaults, {}", result.scene);
         study.figures.counted(&name, result.unaccounted);
     }
@@ -108,22 +103,25 @@ fn table(results: &[Measured]) -> Table {
     table
 }
 
-fn panel(title: &str, results: &[Measured], sweep: &str) -> Panel {
+fn panel(title: &str, results: &[Measured], sweep: &str, axis: &'static str, x: fn(&Measured) -> f64) -> Panel {
+    let of_sweep = || results.iter().filter(|result| result.sweep == sweep);
+    let point = |result: &Measured| (x(result), result.unaccounted);
     let of = |scene: &str| {
-        let shown = results.iter().filter(|result| result.scene == scene && result.sweep == sweep);
-        let points = shown.map(|result| (result.segments_per_ray, result.unaccounted)).filter(|point| point.1 > 0.0);
-        Curve { name: scene.into(), points: points.collect(), is_joined: true }
+        let points = of_sweep().filter(|result| result.scene == scene).map(point).collect();
+        Curve { name: scene.into(), points, is_joined: true }
     };
     let mut curves: Vec<_> = ["prism", "slabs", "500 polygons"].map(of).into();
-    // The default of what is swept here.
-    let is_default = |result: &&Measured| match sweep {
-        "min_power" => result.min_power.to_bits() == TraceSettings::default().min_power.to_bits(),
-        _ => result.max_depth == TraceSettings::default().max_depth,
-    };
-    let default = results.iter().filter(|result| result.sweep == sweep).filter(is_default);
-    let points = default.map(|result| (result.segments_per_ray, result.unaccounted)).collect();
+    let points = of_sweep().filter(|result| result.is_default()).map(point).collect();
     curves.push(Curve { name: "the default".into(), points, is_joined: false });
-    Panel { title: title.into(), axes: ["segments per ray", "share of the light unaccounted for"], curves }
+    Panel { title: title.into(), axes: [axis, "share of the light unaccounted for"], curves }
+}
+
+impl Measured {
+    /// Whether what is swept has its default.
+    fn is_default(&self) -> bool {
+        let TraceSettings { min_power, max_depth, .. } = TraceSettings::default();
+        self.min_power.to_bits() == min_power.to_bits() && [max_depth, NO_DEPTH].contains(&self.max_depth)
+    }
 }
 
 fn body(shape: Shape, at: DVec2) -> Body {
@@ -149,11 +147,11 @@ fn slabs() -> Scene {
     Scene { bodies: (0..5).map(slab).collect(), sources: vec![source(light)], ..Scene::default() }
 }
 
-/// 500 convex polygons, none overlapping, that fill a fifth of their field; the light starts in the middle.
+/// 500 convex polygons, none overlapping, that fill a fifth of their field.
 fn polygons() -> Scene {
     let mut random = Random(5);
     let bodies: Vec<_> = (0..500).map(|k| polygon(k, &mut random)).collect();
-    let light = Light::Point { at: DVec2::new(12.5, 10.0), rays: 8 };
+    let light = beam(DVec2::new(-5.0, 10.0), 3.0, 14.0, 8);
     Scene { bodies, sources: vec![source(light)], ..Scene::default() }
 }
 

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use crate::table::Table;
+use crate::table::{Table, digits};
 
 #[derive(Default)]
 pub(crate) struct Figures {
@@ -13,12 +13,12 @@ pub(crate) struct Figures {
 impl Figures {
     pub(crate) fn at_most(&mut self, name: &str, value: f64, bound: f64) {
         println!("FIGURE,{name},{value:.3e},at most,{bound:.3e}");
-        self.note(name, value, format!("≤ {bound}"), value <= bound);
+        self.note(name, value, format!("≤ {}", digits(bound)), value <= bound);
     }
 
     pub(crate) fn at_least(&mut self, name: &str, value: f64, bound: f64) {
         println!("FIGURE,{name},{value:.3e},at least,{bound:.3e}");
-        self.note(name, value, format!("≥ {bound}"), value >= bound);
+        self.note(name, value, format!("≥ {}", digits(bound)), value >= bound);
     }
 
     /// A figure without a bound.
@@ -32,7 +32,7 @@ impl Figures {
             println!("MISSED,{name}");
             self.missed.push(format!("{name}: {value:.3e} is not {bound}"));
         }
-        self.rows.push([name.to_owned(), crate::table::digits(value), bound]);
+        self.rows.push([name.to_owned(), digits(value), bound]);
     }
 
     pub(crate) fn table(&self) -> Table {

@@ -35,7 +35,7 @@ struct Measured {
 }
 
 pub(crate) fn run(study: &mut Study) {
-    let (last, repeats, rounds) = (study.size(11, 17), study.size(2, 8), study.size(1, 3));
+    let (last, repeats, rounds) = (study.size(11, 17), study.size(2, 8), study.size(1, 9));
     let mut random = Random(4);
     let mut results = Vec::new();
     for exponent in 6..=last {
@@ -77,7 +77,7 @@ fn report(study: &mut Study, results: &[Measured]) {
         let name = format!("irradiance: order of convergence, {spacing}");
         match *spacing {
             "random" => study.figures.counted(&name, order),
-            _ => study.figures.at_least(&name, order, 0.9),
+            _ => study.figures.at_least(&name, order, 0.85),
         }
     }
     study.draw("irradiance", &[Panel { title: "Irradiance on a screen".into(), axes, curves }]);

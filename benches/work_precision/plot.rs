@@ -29,8 +29,8 @@ const COLORS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
     RGBColor(0, 0, 0),
+    RGBColor(204, 121, 167),
     RGBColor(230, 159, 0),
     RGBColor(86, 180, 233),
     RGBColor(120, 120, 120),
@@ -80,8 +80,8 @@ fn draw_panel(panel: &Panel, names: &[String], area: &Area) {
         .unwrap();
     chart
         .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(RGBColor(220, 220, 220))
+        .light_line_style(RGBColor(240, 240, 240))
+        .bold_line_style(RGBColor(205, 205, 205))
         .label_style(("sans-serif", 13))
         .axis_desc_style(("sans-serif", 14))
         .x_desc(panel.axes[0])
@@ -108,20 +108,29 @@ fn color(style: usize) -> RGBColor {
     COLORS[style % COLORS.len()]
 }
 
-/// An axis over whole powers of ten.
+/// An axis of powers of ten.
 struct Decades {
-    first: i32,
-    last: i32,
+    /// Exponents at its ends.
+    ends: Range<f64>,
 }
 
 impl Decades {
-    /// Holds all of these numbers, which are above 0.
+    /// Holds all of these numbers, which are above 0, with some space around them.
     fn around(values: impl Iterator<Item = f64>) -> Self {
         let limits = (f64::INFINITY, f64::NEG_INFINITY);
         let (low, high) = values.map(libm::log10).fold(limits, |(low, high), x| (low.min(x), high.max(x)));
-        #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
-        let (first, last) = ((low - 0.05).floor() as i32, (high + 0.05).ceil() as i32);
-        Self { first, last: last.max(first + 1) }
+        let space = 0.05 * (high - low) + 0.1;
+        Self { ends: low - space..high + space }
+    }
+
+    fn span(&self) -> f64 {
+        self.ends.end - self.ends.start
+    }
+
+    /// The whole exponents on it, every `step`-th of them.
+    fn whole(&self, step: i32) -> impl Iterator<Item = f64> {
+        let exponents = (-20..=20).map(move |exponent| f64::from(exponent * step));
+        exponents.filter(|exponent| self.ends.contains(exponent))
     }
 }
 
@@ -130,20 +139,24 @@ impl Ranged for Decades {
     type ValueType = f64;
 
     fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        let share = (libm::log10(*value) - f64::from(self.first)) / f64::from(self.last - self.first);
+        let share = (libm::log10(*value) - self.ends.start) / self.span();
         #[expect(clippy::cast_possible_truncation, reason = "pixels")]
         let pixels = (share * f64::from(limit.1 - limit.0)).round() as i32;
         limit.0 + pixels
     }
 
-    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
-        let step = (self.last - self.first) / 9 + 1;
-        let exponents = (self.first..=self.last).filter(|exponent| exponent % step == 0);
-        exponents.map(|exponent| libm::exp10(f64::from(exponent))).collect()
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        let powers = self.whole(if self.span() > 8.0 { 2 } else { 1 }).map(libm::exp10);
+        if self.span() > 4.0 || !hint.weight().allow_light_points() {
+            return powers.collect();
+        }
+        let all = (-20..=20)
+            .flat_map(|exponent| (1..10).map(move |digit| f64::from(digit) * libm::exp10(f64::from(exponent))));
+        all.filter(|value| self.ends.contains(&libm::log10(*value))).collect()
     }
 
     fn range(&self) -> Range<f64> {
-        libm::exp10(f64::from(self.first))..libm::exp10(f64::from(self.last))
+        libm::exp10(self.ends.start)..libm::exp10(self.ends.end)
     }
 }
 
@@ -178,8 +191,8 @@ fn mark(area: &Area, style: usize, (x, y): (i32, i32)) {
         0 => area.draw(&Circle::new((x, y), r, filled)).unwrap(),
         1 => fill(&[(-r, -r), (r, -r), (r, r), (-r, r)]),
         2 => fill(&[(0, -6), (6, 5), (-6, 5)]),
-        3 => fill(&[(0, -7), (6, 0), (0, 7), (-6, 0)]),
-        4 => area.draw(&Circle::new((x, y), 7, stroke)).unwrap(),
+        3 => area.draw(&Circle::new((x, y), 8, stroke)).unwrap(),
+        4 => fill(&[(0, -7), (6, 0), (0, 7), (-6, 0)]),
         5 => line(&[(-r, -r), (r, -r), (r, r), (-r, r), (-r, -r)]),
         6 => line(&[(0, -6), (6, 5), (-6, 5), (0, -6)]),
         _ => line(&[(0, -7), (6, 0), (0, 7), (-6, 0), (0, -7)]),
