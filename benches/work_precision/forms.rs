@@ -178,13 +178,14 @@ fn distance_panel(rows: &[(f64, Vec<f64>)]) -> Panel {
 
 fn figures(study: &mut Study, results: &[Measured]) {
     let ours = || results.iter().filter(|result| result.form == OURS);
-    let worst = |value: fn(&Errors) -> f64| ours().map(|result| value(&result.errors)).fold(0.0, f64::max);
+    let conditioned = ours().map(|result| result.errors.conditioned).fold(0.0, f64::max);
+    let wrong_verdicts = ours().map(|result| result.errors.wrong_verdicts).sum::<u32>();
     let is_critical = |result: &&Measured| ["near critical", "small contrast"].contains(&result.regime);
     let critical = ours().filter(is_critical).map(|result| result.errors.worst / U).fold(0.0, f64::max);
     let figures = &mut study.figures;
-    figures.at_most("refraction: worst error / (u κ)", worst(|errors| errors.conditioned), 4.0);
+    figures.at_most("refraction: worst error / (u κ)", conditioned, 4.0);
     figures.at_most("refraction near critical: worst error / u", critical, 2.0);
-    figures.at_most("refraction: wrong verdicts", worst(|errors| f64::from(errors.wrong_verdicts)), 0.0);
+    figures.at_most("refraction: wrong verdicts", f64::from(wrong_verdicts), 0.0);
 }
 
 /// The transmitted direction of the vector form in single precision.
