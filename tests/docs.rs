@@ -10,8 +10,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on fails")]
 
+#[path = "docs/accuracy.rs"]
+mod accuracy;
 #[path = "docs/commands.rs"]
 mod commands;
+#[path = "../benches/work_precision/page.rs"]
+mod filled_page;
 #[path = "docs/links.rs"]
 mod links;
 #[path = "docs/page.rs"]
@@ -20,5 +24,8 @@ mod page;
 mod scene_format;
 #[path = "docs/scenes.rs"]
 mod scenes;
+#[allow(dead_code, reason = "only what is read is needed")]
+#[path = "../benches/work_precision/table.rs"]
+mod table;
 #[path = "docs/trace_format.rs"]
 mod trace_format;

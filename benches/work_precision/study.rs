@@ -1,0 +1,52 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use crate::figures::Figures;
+use crate::page;
+use crate::plot::{Panel, draw};
+use crate::table::Table;
+
+/// One run of all studies: how much is measured, where it is written, and the key figures so far.
+pub(crate) struct Study {
+    is_quick: bool,
+    folder: PathBuf,
+    pub(crate) figures: Figures,
+}
+
+impl Study {
+    pub(crate) fn new(is_quick: bool) -> Self {
+        let folder = root().join(if is_quick { "target/work_precision" } else { "docs/accuracy" });
+        fs::create_dir_all(&folder).unwrap();
+        Self { is_quick, folder, figures: Figures::default() }
+    }
+
+    /// The size of a measurement.
+    pub(crate) fn size<T>(&self, quick: T, full: T) -> T {
+        if self.is_quick { quick } else { full }
+    }
+
+    /// Writes a table and prints it.
+    pub(crate) fn save(&self, table: &Table) {
+        table.write(&self.folder);
+        println!("\n{}:\n\n{}", table.name, table.markdown());
+    }
+
+    /// Draws a plot.
+    pub(crate) fn draw(&self, name: &str, panels: &[Panel]) {
+        draw(&self.folder.join(name).with_extension("svg"), panels);
+    }
+
+    /// Writes the key figures and the page with all tables; fails if a figure is missed.
+    pub(crate) fn finish(self) -> ExitCode {
+        self.save(&self.figures.table());
+        let filled = page::filled(&fs::read_to_string(root().join("docs/accuracy.md")).unwrap(), &self.folder);
+        fs::write(self.folder.with_extension("md"), filled).unwrap();
+        println!("written: {}", self.folder.display());
+        self.figures.verdict()
+    }
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}

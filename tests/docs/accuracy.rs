@@ -1,0 +1,24 @@
+//! The tables of docs/accuracy.md.
+
+use std::fs;
+
+use crate::filled_page::filled;
+use crate::page::root;
+
+#[test]
+fn the_tables_are_those_of_their_files() {
+    let page = fs::read_to_string(root().join("docs/accuracy.md")).unwrap();
+    assert_eq!(filled(&page, &root().join("docs/accuracy")), page);
+}
+
+#[test]
+fn a_table_is_filled_in_and_one_without_a_file_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("known.csv"), "what,value\nspeed,3e8\nindex,1.5\n").unwrap();
+    let page = "a\n<!-- table: known -->\nold\n<!-- end -->\nb\n<!-- table: other -->\nold\n<!-- end -->\nc\n";
+    let table = "| what | value |\n| :-- | --: |\n| speed | 3e8 |\n| index | 1.5 |\n";
+    let expected =
+        format!("a\n<!-- table: known -->\n\n{table}\n<!-- end -->\nb\n<!-- table: other -->\nold\n<!-- end -->\nc\n");
+    assert_eq!(filled(page, folder.path()), expected);
+    assert_eq!(filled(&expected, folder.path()), expected);
+}
