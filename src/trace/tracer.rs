@@ -112,7 +112,7 @@ impl<'a> Tracer<'a> {
             return Segment { ending, ..segment };
         }
         self.segments_left -= 1;
-        let Some(crossing) = nearest(&self.system.interfaces, self.near, ray) else { return segment };
+        let Some(crossing) = nearest(self.system, self.near, ray) else { return segment };
         self.arrive(branch, &crossing, segment)
     }
 
