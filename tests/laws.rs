@@ -14,6 +14,8 @@ mod support;
 
 #[path = "laws/adversary.rs"]
 mod adversary;
+#[path = "laws/arrangement.rs"]
+mod arrangement;
 #[path = "laws/endings.rs"]
 mod endings;
 #[path = "laws/finds.rs"]

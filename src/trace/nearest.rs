@@ -10,6 +10,7 @@ use glam::DVec2;
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side, side_of_ray};
 use crate::system::{Interface, MediumId, OpticalSystem, Start, VertexId};
+use crate::trace::corner::{corner, opens_to};
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -40,13 +41,13 @@ pub(crate) fn nearest(system: &OpticalSystem, near: f64, ray: &Ray) -> Option<Cr
     let probe = Probe { interfaces: &system.interfaces, ray, last: ray.last(&system.interfaces), near };
     let is_unbounded = ray.medium == system.surroundings;
     let (mut first, mut inside) = (None, i32::from(is_unbounded));
-    for passage in probe.passages() {
+    probe.passages(|passage| {
         if !passage.is_ahead {
             inside += passage.entry;
         } else if passage.entry <= 0 && first.is_none_or(|best| probe.is_before(&passage.crossing, &best)) {
             first = Some(passage.crossing);
         }
-    }
+    });
     let missing = match probe.inside_before_start() {
         Some(expected) => expected - inside,
         None => i32::from(first.is_none() && !is_unbounded),
@@ -117,23 +118,23 @@ impl Probe<'_> {
         if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
     }
 
-    /// Every crossing of the line with the boundary of the ray's medium, in the order of the list.
-    fn passages(&self) -> impl Iterator<Item = Passage> {
+    /// Visits every crossing of the line with the boundary of the ray's medium, in the order of the list.
+    fn passages(&self, mut visit: impl FnMut(Passage)) {
         let medium = self.ray.medium;
-        let beside_medium = move |candidate: &Interface| candidate.left == medium || candidate.right == medium;
-        let candidates = self.interfaces.iter().enumerate().filter(move |(_, candidate)| beside_medium(candidate));
-        candidates.flat_map(move |(interface, candidate)| {
-            let met = self.crossings(interface, candidate).into_iter().flatten();
-            met.map(move |Met { distance, from_left, is_ahead }| {
+        for (interface, candidate) in self.interfaces.iter().enumerate() {
+            if candidate.left != medium && candidate.right != medium {
+                continue;
+            }
+            for Met { distance, from_left, is_ahead } in self.crossings(interface, candidate).into_iter().flatten() {
                 let from = if from_left { candidate.left } else { candidate.right };
                 let entry = match (candidate.left == candidate.right, from == medium) {
                     (true, _) => 0,
                     (false, true) => -1,
                     (false, false) => 1,
                 };
-                Passage { crossing: Crossing { interface, distance, from_left }, is_ahead, entry }
-            })
-        })
+                visit(Passage { crossing: Crossing { interface, distance, from_left }, is_ahead, entry });
+            }
+        }
     }
 
     /// Whether the ray's line is in its medium just before the start, as 1 or 0: it is not where the ray leaves a boundary of
@@ -149,7 +150,8 @@ impl Probe<'_> {
     /// The first crossing out of the medium once as many crossings as the count misses have changed sides of the start,
     /// those first whose distances speak least against it.
     fn first_by_count(&self, missing: i32) -> Option<Crossing> {
-        let mut passages: Vec<_> = self.passages().collect();
+        let mut passages = Vec::new();
+        self.passages(|passage| passages.push(passage));
         for _ in 0..missing.abs() {
             let helps = |passage: &&mut Passage| passage.gain() == missing.signum();
             let misplaced = passages.iter_mut().filter(helps).min_by(|u, v| u.against().total_cmp(&v.against()));
@@ -338,7 +340,7 @@ impl Probe<'_> {
         if is_clear && !both_straight {
             return distance > 0.0;
         }
-        self.opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left)
+        opens_to(last, candidate, start, self.near).map_or(!both_straight && distance > 0.0, |left| left == heads_left)
     }
 
     /// A distance from a start within rounding of an arc counts as ahead: the ray is in the medium that it leaves there.
@@ -364,43 +366,4 @@ impl Probe<'_> {
             [start, end] => (start || end).then_some(start),
         }
     }
-
-    /// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run
-    /// on one line or circle.
-    fn opens_to(&self, last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
-        let (last, candidate) = (&last.curve, &candidate.curve);
-        let (vertex, other) = if start { (candidate.a, candidate.b) } else { (candidate.b, candidate.a) };
-        let turn = if last.is_straight() && candidate.is_straight() {
-            side(last.a, last.b, other)
-        } else {
-            let (along, tangent) = (last.tangent_at(vertex), candidate.tangent_at(vertex));
-            let turn = cross(along, if start { tangent } else { -tangent });
-            // Tangent up to the rounding of the two: the stronger curvature decides.
-            let length = last.a.distance(last.b).min(candidate.a.distance(candidate.b));
-            if turn.abs() * length <= self.near { bend(last, candidate, along.dot(tangent)) } else { turn }
-        };
-        (turn != 0.0).then_some(turn > 0.0)
-    }
-}
-
-/// The one vertex that two edges share, and their other ends; `None` for arcs.
-fn corner(first: &Interface, second: &Interface) -> Option<(VertexId, [DVec2; 2])> {
-    if !first.curve.is_straight() || !second.curve.is_straight() {
-        return None;
-    }
-    let [from, to] = first.ends.map(|end| second.ends.contains(&end));
-    let (shared, u) = match (from, to) {
-        (true, false) => (first.ends[0], first.curve.b),
-        (false, true) => (first.ends[1], first.curve.a),
-        _ => return None,
-    };
-    let v = if second.ends[0] == shared { second.curve.b } else { second.curve.a };
-    Some((shared, [u, v]))
-}
-
-/// Curvature of `candidate` above that of `last` where the two touch, seen along `last`; 0 where they are equal.
-fn bend(last: &Curve, candidate: &Curve, sense: f64) -> f64 {
-    let bend = candidate.curvature * sense.signum() - last.curvature;
-    // Far above the rounding of a curvature.
-    if bend.abs() <= 1e-12 * last.curvature.abs() { 0.0 } else { bend }
 }

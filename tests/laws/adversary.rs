@@ -53,15 +53,14 @@ impl Marks {
                 ends.entry(vertex).or_default().push((p + system.origin(), interface.curve.is_straight()));
             }
         }
-        let places = |is_mark: &dyn Fn(&[(DVec2, bool)]) -> bool| -> Vec<DVec2> {
-            ends.values().filter(|here| is_mark(here)).map(|here| here[0].0).collect()
-        };
+        let place = |here: &Vec<(DVec2, bool)>| here[0].0;
+        let is_seam = |here: &&Vec<(DVec2, bool)>| here.iter().any(|end| end.1) && here.iter().any(|end| !end.1);
         Self {
             edges,
             arcs,
-            vertices: places(&|_| true),
-            seams: places(&|here| here.iter().any(|end| end.1) && here.iter().any(|end| !end.1)),
-            meetings: places(&|here| here.len() > 2),
+            vertices: ends.values().map(place).collect(),
+            seams: ends.values().filter(is_seam).map(place).collect(),
+            meetings: ends.values().filter(|here| here.len() > 2).map(place).collect(),
             size: curves.iter().map(|curve| curve.a.distance(curves[0].a)).fold(0.0, f64::max),
             curves,
         }
