@@ -20,6 +20,8 @@ mod arrangement;
 mod endings;
 #[path = "laws/finds.rs"]
 mod finds;
+#[path = "laws/hits.rs"]
+mod hits;
 #[path = "laws/leaks.rs"]
 mod leaks;
 #[path = "laws/oracle.rs"]

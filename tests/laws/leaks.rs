@@ -105,13 +105,13 @@ fn on_lattice(random: &mut Random, substance: Substance) -> Body {
     Body { at, rotate: [0.0, 90.0, 180.0, 45.0][random.below(4)], ..body(shape, substance) }
 }
 
-fn group(random: &mut Random) -> Vec<Body> {
+pub(crate) fn group(random: &mut Random) -> Vec<Body> {
     let first = body(closed_shape(random), glass(1.5));
     let others = [2.0, 1.0, 1.5].map(|n| on_lattice(random, glass(n)));
     [first].into_iter().chain(others).collect()
 }
 
-fn eight_bounces(bodies: Vec<Body>, sources: Vec<Source>) -> Scene {
+pub(crate) fn eight_bounces(bodies: Vec<Body>, sources: Vec<Source>) -> Scene {
     let secondary_rays = SecondaryRays::Fixed { kr: 0.5, kt: 0.5 };
     let trace = TraceSettings { secondary_rays, max_depth: 8, min_power: 0.0, ..TraceSettings::default() };
     Scene { bodies, sources, trace, ..Scene::default() }
