@@ -16,6 +16,8 @@ mod support;
 mod adversary;
 #[path = "laws/arrangement.rs"]
 mod arrangement;
+#[path = "laws/curvature.rs"]
+mod curvature;
 #[path = "laws/endings.rs"]
 mod endings;
 #[path = "laws/finds.rs"]
@@ -38,6 +40,8 @@ mod sources;
 mod surfaces;
 #[path = "laws/symmetries.rs"]
 mod symmetries;
+#[path = "laws/vertices.rs"]
+mod vertices;
 
 use proptest::test_runner::{Config, RngSeed};
 use support::figures::size;

@@ -56,6 +56,14 @@ pub(crate) fn nearest(system: &OpticalSystem, near: f64, ray: &Ray) -> Option<Cr
     first.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
 }
 
+/// What lies on the other side of that boundary of a ray's medium which is nearest to the ray's start.
+pub(crate) fn beyond(interfaces: &[Interface], ray: &Ray) -> MediumId {
+    let away = |curve: &Curve| curve.clamp(curve.project(ray.from)).distance_squared(ray.from);
+    let is_boundary = |one: &&Interface| (one.left == ray.medium) != (one.right == ray.medium);
+    let nearest = interfaces.iter().filter(is_boundary).min_by(|u, v| away(&u.curve).total_cmp(&away(&v.curve)));
+    nearest.map_or(ray.medium, |one| if one.left == ray.medium { one.right } else { one.left })
+}
+
 impl Ray {
     /// The interface that the ray stands on, and whether it heads to its left.
     fn last<'a>(&self, interfaces: &'a [Interface]) -> Option<(&'a Interface, bool)> {

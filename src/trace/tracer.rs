@@ -8,7 +8,7 @@ use crate::light::Power;
 use crate::scene::TraceSettings;
 use crate::system::{MediumId, OpticalSystem, RayStart, Start, rounding};
 use crate::trace::hit::{Arrival, Outcome, Secondary};
-use crate::trace::nearest::{Crossing, Ray, nearest};
+use crate::trace::nearest::{Crossing, Ray, beyond, nearest};
 use crate::trace::{Ending, Segment, SegmentId, TracedRay, Via};
 
 /// Receives the segments of a trace: rays in the order of sources, rays and lines, and each ray's segments depth-first,
@@ -39,6 +39,7 @@ pub fn visit(system: &OpticalSystem, visitor: &mut impl Visitor) {
 }
 
 /// A branch that waits to be followed; positions relative to the system's origin.
+#[derive(Clone, Copy)]
 struct Branch {
     parent: Option<SegmentId>,
     via: Via,
@@ -112,8 +113,27 @@ impl<'a> Tracer<'a> {
             return Segment { ending, ..segment };
         }
         self.segments_left -= 1;
-        let Some(crossing) = nearest(self.system, self.near, ray) else { return segment };
-        self.arrive(branch, &crossing, segment)
+        let (medium, crossing) = self.meet(ray);
+        let (branch, segment) = (
+            Branch { ray: Ray { medium, ..*ray }, ..*branch },
+            Segment { medium_index: self.index(medium), ..segment },
+        );
+        crossing.map_or(segment, |crossing| self.arrive(&branch, &crossing, segment))
+    }
+
+    /// What a ray meets, and the medium it runs in. That is another than the ray's own where its start lies beside a boundary,
+    /// up to rounding, and its line misses the medium altogether: then it is what lies beyond the nearest boundary.
+    fn meet(&self, ray: &Ray) -> (MediumId, Option<Crossing>) {
+        let outside = self.system.surroundings;
+        let mut medium = ray.medium;
+        loop {
+            let crossing = nearest(self.system, self.near, &Ray { medium, ..*ray });
+            if crossing.is_some() || medium == outside {
+                return (medium, crossing);
+            }
+            let beyond = beyond(&self.system.interfaces, ray);
+            medium = if medium == ray.medium && beyond != medium { beyond } else { outside };
+        }
     }
 
     fn cut(&self, branch: &Branch, started_with: f64) -> Option<Ending> {
