@@ -2,6 +2,7 @@
 //! edges and tangents".
 
 use glam::DVec2;
+use snellius::geometry::Curve;
 
 use crate::properties::check;
 use crate::support::{Run, run_text};
@@ -14,7 +15,7 @@ const SCENES: [(&str, &str); 12] = [
     ("a convex corner", "(shape: Polygon([(3, 2), (9, -1), (8, 6)]), medium: Index(1.5))"),
     ("a convex corner that points up", "(shape: Polygon([(3, 2), (-1, -5), (6, -4)]), medium: Index(1.5))"),
     ("a right angle", "(shape: Polygon([(3, 2), (8, 2), (8, 7), (3, 7)]), medium: Index(1.5))"),
-    ("a reflex corner", "(shape: Polygon([(3, 2), (9, -1), (-5, -6), (8, 7)]), medium: Index(1.5))"),
+    ("a reflex corner", "(shape: Polygon([(3, 2), (9, 7), (-5, 8), (-6, -4), (9, -5)]), medium: Index(1.5))"),
     (
         "a reflex right angle",
         "(shape: Polygon([(3, 2), (3, 8), (-4, 8), (-4, -5), (9, -5), (9, 2)]), medium: Index(1.5))",
@@ -48,7 +49,7 @@ const SCENES: [(&str, &str); 12] = [
     (
         "a crossing of faces",
         "(shape: Polygon([(3, -5), (3, 9), (-4, 9), (-4, -5)]), medium: Index(1.5)), \
-         (shape: Polygon([(-6, 2), (9, 2), (9, 8), (-6, 8)]), medium: Index(1.7))",
+         (shape: Polygon([(-5, 2), (11, 2), (11, 8), (-5, 8)]), medium: Index(1.7))",
     ),
 ];
 
@@ -73,14 +74,18 @@ fn course(run: &Run) -> Vec<(f64, Option<usize>)> {
     run.trace.tree.rays[0].segments.iter().map(|s| (s.medium_index, s.hit.map(|hit| hit.body))).collect()
 }
 
-/// For each boundary that ends at the vertex, whether it leaves it to the left, 0 along the ray.
+/// For each boundary that ends at the vertex, the side to which it leaves: positive left, 0 straight along the ray. An arc
+/// along the ray leaves to where it bends.
 fn leaving_sides(run: &Run, heading: DVec2) -> Vec<f64> {
     let origin = run.system.origin();
     let curves = run.system.interfaces().iter().map(|interface| interface.curve);
-    let leaving =
-        curves.flat_map(|curve| [(curve.a, curve.tangent_at(curve.a)), (curve.b, -curve.tangent_at(curve.b))]);
-    let here = leaving.filter(|(p, _)| *p + origin == VERTEX);
-    here.map(|(_, tangent)| heading.perp_dot(tangent)).map(|side| if side.abs() < 1e-12 { 0.0 } else { side }).collect()
+    let leaving = curves.flat_map(|curve| [curve, curve.reversed()]).filter(|curve| curve.a + origin == VERTEX);
+    let side = |curve: Curve| {
+        let tangent = curve.tangent_at(curve.a);
+        let turn = heading.perp_dot(tangent);
+        if turn.abs() < 1e-12 { curve.curvature * heading.dot(tangent) } else { turn }
+    };
+    leaving.map(side).collect()
 }
 
 #[test]
