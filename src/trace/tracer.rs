@@ -39,7 +39,6 @@ pub fn visit(system: &OpticalSystem, visitor: &mut impl Visitor) {
 }
 
 /// A branch that waits to be followed; positions relative to the system's origin.
-#[derive(Clone, Copy)]
 struct Branch {
     parent: Option<SegmentId>,
     via: Via,
@@ -88,36 +87,32 @@ impl<'a> Tracer<'a> {
         while let Some(branch) = self.waiting.pop() {
             let id = SegmentId(next);
             next += 1;
-            visitor.segment(traced, self.segment(id, &branch, traced.power));
+            visitor.segment(traced, self.segment(id, branch, traced.power));
         }
     }
 
     /// Follows one branch to its end and queues what it spawns, the reflected ray first so that the transmitted one is
     /// followed first.
-    fn segment(&mut self, id: SegmentId, branch: &Branch, started_with: f64) -> Segment {
-        let Branch { ray, power, .. } = branch;
+    fn segment(&mut self, id: SegmentId, mut branch: Branch, started_with: f64) -> Segment {
+        let ending = self.cut(&branch, started_with);
+        let mut crossing = None;
+        if ending.is_none() {
+            self.segments_left -= 1;
+            (branch.ray.medium, crossing) = self.meet(&branch.ray);
+        }
         let segment = Segment {
             id,
             parent: branch.parent,
             via: branch.via,
-            from: ray.from + self.system.origin,
+            from: branch.ray.from + self.system.origin,
             to: None,
-            direction: ray.direction,
-            medium_index: self.index(ray.medium),
-            power: *power,
+            direction: branch.ray.direction,
+            medium_index: self.index(branch.ray.medium),
+            power: branch.power,
             optical_path: branch.optical_path,
-            ending: Ending::Escaped,
+            ending: ending.unwrap_or(Ending::Escaped),
             hit: None,
         };
-        if let Some(ending) = self.cut(branch, started_with) {
-            return Segment { ending, ..segment };
-        }
-        self.segments_left -= 1;
-        let (medium, crossing) = self.meet(ray);
-        let (branch, segment) = (
-            Branch { ray: Ray { medium, ..*ray }, ..*branch },
-            Segment { medium_index: self.index(medium), ..segment },
-        );
         crossing.map_or(segment, |crossing| self.arrive(&branch, &crossing, segment))
     }
 
