@@ -1,7 +1,7 @@
 //! Laws that hold in every scene: properties over random scenes, symmetries, each rule of the scene format by a case of its
 //! own, and rays aimed where a tracer leaks.
 //!
-//! `SNELLIUS_TIMES=100 cargo test --release --test laws` runs a hundred times as many cases.
+//! `SNELLIUS_FULL=1 cargo test --release --test laws -- --nocapture` runs at full size.
 
 #![allow(
     clippy::unwrap_used,
@@ -12,10 +12,18 @@
 
 mod support;
 
+#[path = "laws/adversary.rs"]
+mod adversary;
+#[path = "laws/arrangement.rs"]
+mod arrangement;
+#[path = "laws/curvature.rs"]
+mod curvature;
 #[path = "laws/endings.rs"]
 mod endings;
 #[path = "laws/finds.rs"]
 mod finds;
+#[path = "laws/hits.rs"]
+mod hits;
 #[path = "laws/leaks.rs"]
 mod leaks;
 #[path = "laws/oracle.rs"]
@@ -32,21 +40,19 @@ mod sources;
 mod surfaces;
 #[path = "laws/symmetries.rs"]
 mod symmetries;
+#[path = "laws/vertices.rs"]
+mod vertices;
 
 use proptest::test_runner::{Config, RngSeed};
+use support::figures::size;
 
 /// Half an ulp of 1: the relative error of one rounding.
 pub(crate) const U: f64 = 0.5 * f64::EPSILON;
 
-/// How many times the usual number of cases to run.
-pub(crate) fn times() -> u32 {
-    std::env::var("SNELLIUS_TIMES").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
-}
-
-/// The same cases in every run, `cases` of them.
+/// The same cases in every run, `cases` of them, ten times as many at full size.
 pub(crate) fn config(cases: u32) -> Config {
     Config {
-        cases: cases * times(),
+        cases: size(cases, 10 * cases),
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(1621),
         max_shrink_iters: 4000,

@@ -1,5 +1,6 @@
 //! From a compiled system to the ray tree: every ray followed through every hit, with a closed set of endings.
 
+mod corner;
 mod hit;
 mod nearest;
 mod segment;

@@ -9,7 +9,8 @@ use glam::DVec2;
 
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side, side_of_ray};
-use crate::system::{Interface, MediumId, Start, VertexId};
+use crate::system::{Interface, MediumId, OpticalSystem, Start, VertexId};
+use crate::trace::corner::{corner, opens_to};
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +25,7 @@ pub(crate) struct Ray {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Crossing {
     pub(crate) interface: usize,
-    /// Distance along the ray, at least 0.
+    /// Distance along the ray, at least 0 for what it meets.
     pub(crate) distance: f64,
     /// Whether the ray comes from the interface's left.
     pub(crate) from_left: bool,
@@ -32,20 +33,35 @@ pub(crate) struct Crossing {
 
 /// The first interface that the ray crosses; at a corner that two share, the one it passes first; of several others at one
 /// distance the first in the list. `None` if the ray leaves.
-pub(crate) fn nearest(interfaces: &[Interface], near: f64, ray: &Ray) -> Option<Crossing> {
-    let probe = Probe { interfaces, ray, last: ray.last(interfaces), near };
-    let mut first: Option<Crossing> = None;
-    let beside_medium = |candidate: &Interface| candidate.left == ray.medium || candidate.right == ray.medium;
-    for (interface, candidate) in interfaces.iter().enumerate().filter(|(_, candidate)| beside_medium(candidate)) {
-        for (distance, from_left) in probe.crossings(interface, candidate).into_iter().flatten() {
-            let near_side = if from_left { candidate.left } else { candidate.right };
-            let crossing = Crossing { interface, distance, from_left };
-            if near_side == ray.medium && first.is_none_or(|best| probe.is_before(interfaces, &crossing, &best)) {
-                first = Some(crossing);
-            }
+///
+/// Nothing leaks: a line crosses the closed boundary of a medium as often into it as out of it, and the crossings behind
+/// the ray tell whether it starts inside. Where that count does not agree with the ray's medium, rounding has put a crossing
+/// beside the start on the wrong side of it, and it changes sides.
+pub(crate) fn nearest(system: &OpticalSystem, near: f64, ray: &Ray) -> Option<Crossing> {
+    let probe = Probe { interfaces: &system.interfaces, ray, last: ray.last(&system.interfaces), near };
+    let is_unbounded = ray.medium == system.surroundings;
+    let (mut first, mut inside) = (None, i32::from(is_unbounded));
+    probe.passages(|passage| {
+        if !passage.is_ahead {
+            inside += passage.entry;
+        } else if passage.entry <= 0 && first.is_none_or(|best| probe.is_before(&passage.crossing, &best)) {
+            first = Some(passage.crossing);
         }
-    }
-    first
+    });
+    let missing = match probe.inside_before_start() {
+        Some(expected) => expected - inside,
+        None => i32::from(first.is_none() && !is_unbounded),
+    };
+    let first = if missing == 0 { first } else { probe.first_by_count(missing) };
+    first.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
+}
+
+/// What lies on the other side of that boundary of a ray's medium which is nearest to the ray's start.
+pub(crate) fn beyond(interfaces: &[Interface], ray: &Ray) -> MediumId {
+    let away = |curve: &Curve| curve.clamp(curve.project(ray.from)).distance_squared(ray.from);
+    let is_boundary = |one: &&Interface| (one.left == ray.medium) != (one.right == ray.medium);
+    let nearest = interfaces.iter().filter(is_boundary).min_by(|u, v| away(&u.curve).total_cmp(&away(&v.curve)));
+    nearest.map_or(ray.medium, |one| if one.left == ray.medium { one.right } else { one.left })
 }
 
 impl Ray {
@@ -58,8 +74,37 @@ impl Ray {
     }
 }
 
-/// A crossing's distance, and whether the ray comes from the left.
-type Met = Option<(f64, bool)>;
+/// A crossing of the ray's whole line.
+#[derive(Clone, Copy)]
+struct Met {
+    /// Distance along the ray; below 0 behind it.
+    distance: f64,
+    /// Whether the line comes from the interface's left.
+    from_left: bool,
+    is_ahead: bool,
+}
+
+/// A crossing of the ray's whole line with the boundary of the ray's medium, or with a surface inside of it.
+#[derive(Clone, Copy)]
+struct Passage {
+    crossing: Crossing,
+    is_ahead: bool,
+    /// 1 into the ray's medium, −1 out of it, 0 from it into itself.
+    entry: i32,
+}
+
+impl Passage {
+    /// What the count of entries behind the start gains if this changes sides.
+    fn gain(&self) -> i32 {
+        if self.is_ahead { self.entry } else { -self.entry }
+    }
+
+    /// How far its distance speaks against its place on the other side of the start.
+    fn against(&self) -> f64 {
+        let Crossing { distance, .. } = self.crossing;
+        (if self.is_ahead { distance } else { -distance }).max(0.0)
+    }
+}
 
 struct Probe<'a> {
     interfaces: &'a [Interface],
@@ -72,16 +117,62 @@ struct Probe<'a> {
 impl Probe<'_> {
     /// Whether the ray passes one crossing before another. Of two edges with a common end, both crossed on the same side
     /// of it, that which leads backward from it: exact where the distances are not.
-    fn is_before(&self, interfaces: &[Interface], one: &Crossing, other: &Crossing) -> bool {
+    fn is_before(&self, one: &Crossing, other: &Crossing) -> bool {
         let by_distance = one.distance < other.distance;
-        let (first, second) = (&interfaces[one.interface], &interfaces[other.interface]);
+        let (first, second) = (&self.interfaces[one.interface], &self.interfaces[other.interface]);
         let Some((corner, [u, v])) = corner(first, second) else { return by_distance };
         let p = [first.curve.a, first.curve.b][usize::from(first.ends[0] != corner)];
         let turn = side(p, u, v);
         if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
     }
 
-    fn crossings(&self, index: usize, candidate: &Interface) -> [Met; 2] {
+    /// Visits every crossing of the line with the boundary of the ray's medium, in the order of the list.
+    fn passages(&self, mut visit: impl FnMut(Passage)) {
+        let medium = self.ray.medium;
+        for (interface, candidate) in self.interfaces.iter().enumerate() {
+            if candidate.left != medium && candidate.right != medium {
+                continue;
+            }
+            for Met { distance, from_left, is_ahead } in self.crossings(interface, candidate).into_iter().flatten() {
+                let from = if from_left { candidate.left } else { candidate.right };
+                let entry = match (candidate.left == candidate.right, from == medium) {
+                    (true, _) => 0,
+                    (false, true) => -1,
+                    (false, false) => 1,
+                };
+                visit(Passage { crossing: Crossing { interface, distance, from_left }, is_ahead, entry });
+            }
+        }
+    }
+
+    /// Whether the ray's line is in its medium just before the start, as 1 or 0: it is not where the ray leaves a boundary of
+    /// its medium. `None` at a vertex, where several crossings lie at the start itself.
+    fn inside_before_start(&self) -> Option<i32> {
+        match (self.ray.start, self.last) {
+            (Start::AtVertex(_), _) => None,
+            (_, Some((last, _))) => Some(i32::from(last.left == last.right)),
+            _ => Some(1),
+        }
+    }
+
+    /// The first crossing out of the medium once as many crossings as the count misses have changed sides of the start,
+    /// those first whose distances speak least against it.
+    fn first_by_count(&self, missing: i32) -> Option<Crossing> {
+        let mut passages = Vec::new();
+        self.passages(|passage| passages.push(passage));
+        for _ in 0..missing.abs() {
+            let helps = |passage: &&mut Passage| passage.gain() == missing.signum();
+            let misplaced = passages.iter_mut().filter(helps).min_by(|u, v| u.against().total_cmp(&v.against()));
+            if let Some(passage) = misplaced {
+                passage.is_ahead = !passage.is_ahead;
+            }
+        }
+        let exits = passages.into_iter().filter(|passage| passage.is_ahead && passage.entry <= 0);
+        let crossings = exits.map(|passage| passage.crossing);
+        crossings.reduce(|best, crossing| if self.is_before(&crossing, &best) { crossing } else { best })
+    }
+
+    fn crossings(&self, index: usize, candidate: &Interface) -> [Option<Met>; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
             Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.off_vertex(candidate, vertex), None],
@@ -156,7 +247,7 @@ impl Probe<'_> {
         (a_left != b_left).then_some(b_left)
     }
 
-    fn edge(&self, candidate: &Interface) -> Met {
+    fn edge(&self, candidate: &Interface) -> Option<Met> {
         let from_left = self.passes_from_left(candidate)?;
         let Curve { a, b, m, n, .. } = candidate.curve;
         let [a, b] = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
@@ -165,27 +256,27 @@ impl Probe<'_> {
         let is_along = across.abs() * (a - b).abs() <= self.near;
         let distance = if is_along { 0.0 } else { n.dot(m - self.ray.from) / across };
         let distance = distance.max(a.min(b)).min(a.max(b));
-        let ahead = if is_along && a.min(b) > self.near {
-            distance
+        let is_ahead = if is_along && a.min(b) > self.near {
+            true
         } else if self.touches_last(candidate) {
-            self.ahead(candidate, distance)?
+            self.is_ahead(candidate, distance)
         } else {
             // Ahead if the ray starts on the side that it comes from.
             let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);
-            (start != 0.0 && (start > 0.0) == from_left).then_some(distance.max(0.0))?
+            start != 0.0 && (start > 0.0) == from_left
         };
-        Some((ahead, from_left))
+        Some(Met { distance, from_left, is_ahead })
     }
 
-    fn arc(&self, candidate: &Interface) -> [Met; 2] {
+    fn arc(&self, candidate: &Interface) -> [Option<Met>; 2] {
         if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.same_circle(&candidate.curve)) {
             let passes = self.passes_from_left(candidate).is_some();
             return [passes.then(|| self.across(&last.curve, heads_left)).flatten(), None];
         }
         let roots = CircleRoots::new(&candidate.curve, self.ray.from, self.ray.direction);
         let met = |from_left: bool| {
-            let distance = self.ahead(candidate, if from_left { roots.from_left } else { roots.from_right })?;
-            Some((distance, from_left))
+            let distance = if from_left { roots.from_left } else { roots.from_right };
+            Some(Met { distance, from_left, is_ahead: self.is_ahead(candidate, distance) })
         };
         match self.passes_from_left(candidate) {
             Some(from_left) => [met(from_left), None],
@@ -217,54 +308,56 @@ impl Probe<'_> {
 
     /// The arc that the ray stands on, met again: where its line does not pass between the ends, both of its points are
     /// the arc's.
-    fn again(&self, last: &Interface, heads_left: bool) -> Met {
+    fn again(&self, last: &Interface, heads_left: bool) -> Option<Met> {
         let both_on_arc = !last.curve.is_straight() && self.passes_from_left(last).is_none();
         both_on_arc.then(|| self.across(&last.curve, heads_left)).flatten()
     }
 
-    /// From a point of a circle through it to the other side: t = −2 B/κ; `None` for a ray that heads out of it.
-    fn across(&self, circle: &Curve, heads_left: bool) -> Met {
-        let inward = heads_left == (circle.curvature > 0.0);
+    /// From a point of a circle through it to the other side: t = −2 B/κ; behind a ray that heads out of it.
+    fn across(&self, circle: &Curve, heads_left: bool) -> Option<Met> {
+        let is_ahead = heads_left == (circle.curvature > 0.0);
         let gradient = circle.normal_at(self.ray.from);
-        let distance = (2.0 * gradient.dot(self.ray.direction) / circle.curvature).max(0.0);
-        (inward && distance.is_finite()).then_some((distance, heads_left))
+        let distance = 2.0 * gradient.dot(self.ray.direction) / circle.curvature;
+        distance.is_finite().then_some(Met { distance, from_left: heads_left, is_ahead })
     }
 
     /// An interface that ends where the ray starts: an edge is not met again, an arc where the ray runs into its bulge.
-    fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Met {
+    fn off_vertex(&self, candidate: &Interface, vertex: VertexId) -> Option<Met> {
         let Interface { curve, ends, .. } = candidate;
         let at_start = ends[0] == vertex;
         let (at, other, far) = if at_start { (curve.a, ends[1], curve.b) } else { (curve.b, ends[0], curve.a) };
         // An arc that turns left bulges to the right of its chord, which is there if the other end is on the ray's left.
         let into_bulge = (self.is_left(other, far) == at_start) == (curve.curvature > 0.0);
         let distance = 2.0 * curve.normal_at(at).dot(self.ray.direction) / curve.curvature;
-        (into_bulge && distance > self.near && distance.is_finite()).then_some((distance, curve.curvature > 0.0))
+        (into_bulge && distance > self.near && distance.is_finite()).then_some(Met {
+            distance,
+            from_left: curve.curvature > 0.0,
+            is_ahead: true,
+        })
     }
 
-    /// The distance, if it lies ahead. Beside a vertex that a candidate shares with the interface the ray stands on, the
+    /// Whether a distance lies ahead. Beside a vertex that a candidate shares with the interface the ray stands on, the
     /// corner decides: the candidate is ahead where it opens to the side that the ray heads to.
-    fn ahead(&self, candidate: &Interface, distance: f64) -> Option<f64> {
+    fn is_ahead(&self, candidate: &Interface, distance: f64) -> bool {
         let corner = self.last.and_then(|(last, left)| Some((last, left, self.shared_end(last, candidate)?)));
-        let Some((last, heads_left, start)) = corner else { return self.ahead_of_start(candidate, distance) };
+        let Some((last, heads_left, start)) = corner else { return self.is_ahead_of_start(candidate, distance) };
         let both_straight = last.curve.is_straight() && candidate.curve.is_straight();
         let met = candidate.curve.normal_at(self.ray.from + distance * self.ray.direction);
         let is_clear = candidate.curve.offset(self.ray.from).abs() > self.near
             || (distance * met.dot(self.ray.direction)).abs() > self.near;
         if is_clear && !both_straight {
-            return (distance > 0.0).then_some(distance);
+            return distance > 0.0;
         }
-        let ahead =
-            self.opens_to(last, candidate, start).map_or(!both_straight && distance > 0.0, |left| left == heads_left);
-        ahead.then_some(distance.max(0.0))
+        opens_to(last, candidate, start, self.near).map_or(!both_straight && distance > 0.0, |left| left == heads_left)
     }
 
-    /// A distance from a start within rounding of an arc counts as 0: the ray is in the medium that it leaves there. Over
-    /// a distance t the arc bends away from its tangent by κ t²/2.
-    fn ahead_of_start(&self, candidate: &Interface, distance: f64) -> Option<f64> {
+    /// A distance from a start within rounding of an arc counts as ahead: the ray is in the medium that it leaves there.
+    /// Over a distance t the arc bends away from its tangent by κ t²/2.
+    fn is_ahead_of_start(&self, candidate: &Interface, distance: f64) -> bool {
         let leaves = candidate.left != candidate.right && self.ray.start == Start::Free;
         let bent = 0.5 * candidate.curve.curvature.abs() * distance * distance;
         let at_start = leaves && bent <= self.near && candidate.curve.offset(self.ray.from).abs() <= self.near;
-        (distance > 0.0 || at_start).then_some(distance.max(0.0))
+        distance > 0.0 || at_start
     }
 
     fn touches_last(&self, candidate: &Interface) -> bool {
@@ -281,43 +374,4 @@ impl Probe<'_> {
             [start, end] => (start || end).then_some(start),
         }
     }
-
-    /// Whether `candidate` leaves the shared vertex, its start or its end, to the left of `last`; `None` where the two run
-    /// on one line or circle.
-    fn opens_to(&self, last: &Interface, candidate: &Interface, start: bool) -> Option<bool> {
-        let (last, candidate) = (&last.curve, &candidate.curve);
-        let (vertex, other) = if start { (candidate.a, candidate.b) } else { (candidate.b, candidate.a) };
-        let turn = if last.is_straight() && candidate.is_straight() {
-            side(last.a, last.b, other)
-        } else {
-            let (along, tangent) = (last.tangent_at(vertex), candidate.tangent_at(vertex));
-            let turn = cross(along, if start { tangent } else { -tangent });
-            // Tangent up to the rounding of the two: the stronger curvature decides.
-            let length = last.a.distance(last.b).min(candidate.a.distance(candidate.b));
-            if turn.abs() * length <= self.near { bend(last, candidate, along.dot(tangent)) } else { turn }
-        };
-        (turn != 0.0).then_some(turn > 0.0)
-    }
-}
-
-/// The one vertex that two edges share, and their other ends; `None` for arcs.
-fn corner(first: &Interface, second: &Interface) -> Option<(VertexId, [DVec2; 2])> {
-    if !first.curve.is_straight() || !second.curve.is_straight() {
-        return None;
-    }
-    let [from, to] = first.ends.map(|end| second.ends.contains(&end));
-    let (shared, u) = match (from, to) {
-        (true, false) => (first.ends[0], first.curve.b),
-        (false, true) => (first.ends[1], first.curve.a),
-        _ => return None,
-    };
-    let v = if second.ends[0] == shared { second.curve.b } else { second.curve.a };
-    Some((shared, [u, v]))
-}
-
-/// Curvature of `candidate` above that of `last` where the two touch, seen along `last`; 0 where they are equal.
-fn bend(last: &Curve, candidate: &Curve, sense: f64) -> f64 {
-    let bend = candidate.curvature * sense.signum() - last.curvature;
-    // Far above the rounding of a curvature.
-    if bend.abs() <= 1e-12 * last.curvature.abs() { 0.0 } else { bend }
 }

@@ -8,7 +8,7 @@ use crate::light::Power;
 use crate::scene::TraceSettings;
 use crate::system::{MediumId, OpticalSystem, RayStart, Start, rounding};
 use crate::trace::hit::{Arrival, Outcome, Secondary};
-use crate::trace::nearest::{Crossing, Ray, nearest};
+use crate::trace::nearest::{Crossing, Ray, beyond, nearest};
 use crate::trace::{Ending, Segment, SegmentId, TracedRay, Via};
 
 /// Receives the segments of a trace: rays in the order of sources, rays and lines, and each ray's segments depth-first,
@@ -87,33 +87,48 @@ impl<'a> Tracer<'a> {
         while let Some(branch) = self.waiting.pop() {
             let id = SegmentId(next);
             next += 1;
-            visitor.segment(traced, self.segment(id, &branch, traced.power));
+            visitor.segment(traced, self.segment(id, branch, traced.power));
         }
     }
 
     /// Follows one branch to its end and queues what it spawns, the reflected ray first so that the transmitted one is
     /// followed first.
-    fn segment(&mut self, id: SegmentId, branch: &Branch, started_with: f64) -> Segment {
-        let Branch { ray, power, .. } = branch;
+    fn segment(&mut self, id: SegmentId, mut branch: Branch, started_with: f64) -> Segment {
+        let ending = self.cut(&branch, started_with);
+        let mut crossing = None;
+        if ending.is_none() {
+            self.segments_left -= 1;
+            (branch.ray.medium, crossing) = self.meet(&branch.ray);
+        }
         let segment = Segment {
             id,
             parent: branch.parent,
             via: branch.via,
-            from: ray.from + self.system.origin,
+            from: branch.ray.from + self.system.origin,
             to: None,
-            direction: ray.direction,
-            medium_index: self.index(ray.medium),
-            power: *power,
+            direction: branch.ray.direction,
+            medium_index: self.index(branch.ray.medium),
+            power: branch.power,
             optical_path: branch.optical_path,
-            ending: Ending::Escaped,
+            ending: ending.unwrap_or(Ending::Escaped),
             hit: None,
         };
-        if let Some(ending) = self.cut(branch, started_with) {
-            return Segment { ending, ..segment };
+        crossing.map_or(segment, |crossing| self.arrive(&branch, &crossing, segment))
+    }
+
+    /// What a ray meets, and the medium it runs in. That is another than the ray's own where its start lies beside a boundary,
+    /// up to rounding, and its line misses the medium altogether: then it is what lies beyond the nearest boundary.
+    fn meet(&self, ray: &Ray) -> (MediumId, Option<Crossing>) {
+        let outside = self.system.surroundings;
+        let mut medium = ray.medium;
+        loop {
+            let crossing = nearest(self.system, self.near, &Ray { medium, ..*ray });
+            if crossing.is_some() || medium == outside {
+                return (medium, crossing);
+            }
+            let beyond = beyond(&self.system.interfaces, ray);
+            medium = if medium == ray.medium && beyond != medium { beyond } else { outside };
         }
-        self.segments_left -= 1;
-        let Some(crossing) = nearest(&self.system.interfaces, self.near, ray) else { return segment };
-        self.arrive(branch, &crossing, segment)
     }
 
     fn cut(&self, branch: &Branch, started_with: f64) -> Option<Ending> {

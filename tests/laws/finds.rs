@@ -1,5 +1,7 @@
 //! Scenes in which light once went wrong, each the smallest that showed it.
 
+use snellius::trace::Ending;
+
 use crate::properties::check;
 use crate::support::run_text;
 
@@ -10,6 +12,24 @@ macro_rules! finds {
             #[test]
             fn $name() {
                 check(&run_text(concat!("(trace: (min_power: 0, max_depth: 6), ", $scene, ")")));
+            }
+        )*
+    };
+}
+
+/// Each scene under the name of what it shows: light whose direction has drifted by rounding, over several bounces, along an
+/// edge to where others meet it does not get out.
+macro_rules! drifts {
+    ($($name:ident: $scene:expr;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                let trace = "trace: (secondary_rays: Fixed(kr: 0.5, kt: 0.5), max_depth: 8, min_power: 0)";
+                let run = run_text(&format!("({trace}, {})", $scene));
+                let segments: Vec<_> = run.trace.tree.rays.iter().flat_map(|ray| &ray.segments).collect();
+                assert!(segments.len() > 10, "light bounces");
+                let leak = segments.iter().find(|s| s.ending == Ending::Escaped && s.medium_index != 1.0);
+                assert!(leak.is_none(), "{leak:?}");
             }
         )*
     };
@@ -167,4 +187,24 @@ finds! {
         (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), at: (-1.5, -1.5), rotate: 180, medium: Index(2)),
         (shape: Disk(1.5), at: (-1.5, 0), rotate: 180, medium: Index(1.5))],
         sources: [(light: Ray(from: (0, -0.6795620009953999), direction: Towards((0, -1.5))))]";
+}
+
+drifts! {
+    light_drifts_along_an_edge_to_a_disk_that_touches_it: "bodies: [(shape: HalfDisk(1.5), medium: Index(1.5)),
+        (shape: Disk(1.5), at: (1.5, -1.5), rotate: 90, medium: Index(2)),
+        (shape: Outline(start: (0, 0), path: [LineTo((2, 0)), ArcTo(through: (3, 1), to: (2, 2)), LineTo((0, 2)),
+            ArcTo(through: (-1, 1), to: (0, 0))]), at: (1.5, 0), medium: Index(1)),
+        (shape: Outline(start: (0, 0), path: [LineTo((2, 0)), ArcTo(through: (3, 1), to: (2, 2)), LineTo((0, 2)),
+            ArcTo(through: (-1, 1), to: (0, 0))]), at: (0, -1.5), rotate: 45, medium: Index(1.5))],
+        sources: [(light: Ray(from: (1.4544562167629167, -0.045543783237083364),
+            direction: Towards((1.4142135623730954, -0.08578643762690508))))]";
+
+    light_drifts_along_cemented_edges_to_a_third: "bodies: [
+        (shape: Outline(start: (0, 0), path: [LineTo((2, 0)), ArcTo(through: (3, 1), to: (2, 2)), LineTo((0, 2)),
+            ArcTo(through: (-1, 1), to: (0, 0))]), medium: Index(1.5)),
+        (shape: Outline(start: (0, 0), path: [LineTo((2, 0)), ArcTo(through: (3, 1), to: (2, 2)), LineTo((0, 2)),
+            ArcTo(through: (-1, 1), to: (0, 0))]), at: (1.5, 0), rotate: 180, medium: Index(2)),
+        (shape: HalfDisk(1.5), at: (1.5, 1.5), rotate: 180, medium: Index(1)),
+        (shape: HalfDisk(1.5), at: (-2, 1.5), rotate: 90, medium: Index(1.5))],
+        sources: [(light: Ray(from: (-3.5, 1.5), direction: Towards((-0.5000000000000001, 1.4999999999999998))))]";
 }

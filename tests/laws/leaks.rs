@@ -1,29 +1,30 @@
-//! Rays aimed where tracers leak: at vertices and an ulp beside, along edges, at seams between arc and edge, at tangents, at
-//! corners where several bodies meet. Eight bounces each.
+//! No leak: rays aimed where tracers leak, eight bounces each, through single bodies, bodies cemented or touching, and
+//! mirrors, anywhere and at any scale.
 
 use glam::DVec2;
 use snellius::Scene;
 use snellius::compile::compile;
-use snellius::geometry::Curve;
 use snellius::numerics::Turn;
-use snellius::scene::{
-    Body, Direction, Light, Medium, PathStep, SecondaryRays, Shape, Source, Substance, Surface, TraceSettings,
-};
-use snellius::trace::Ending;
+use snellius::scene::{Body, Medium, PathStep, SecondaryRays, Shape, Source, Substance, Surface, TraceSettings};
+use snellius::trace::{Ending, Segment, TracedRay};
 
-use crate::oracle::holds;
-use crate::scenes::{self, body, source, towards};
+use crate::adversary::{AIMS, Aim, Marks};
+use crate::oracle::{clearance, holds, index_at};
+use crate::scenes::{self, body, towards};
+use crate::support::figures::{at_least, at_most, size};
 use crate::support::random::Random;
-use crate::support::run_scene;
-use crate::times;
+use crate::support::{Run, run_scene};
 
-/// Rays per test.
-const RAYS: u32 = 20_000;
 /// Rays per scene.
 const BATCH: u32 = 50;
 
 /// Where and how large the scene is.
 const PLACES: [(f64, f64); 5] = [(1.0, 0.0), (1.0, 1e6), (1.0, 1e9), (1e9, 0.0), (1e-9, 0.0)];
+
+/// Rays per family.
+fn rays() -> u32 {
+    size(20_000, 10_000_000)
+}
 
 fn star(random: &mut Random, convex: bool) -> Shape {
     let corners = 3 + random.below(6);
@@ -80,61 +81,100 @@ fn scaled(shape: Shape, by: f64) -> Shape {
     }
 }
 
-/// Starts and headings at and about the ends of curves, along edges and tangents, and in between.
-fn adversary(random: &mut Random, curves: &[Curve]) -> Option<Source> {
-    let (first, second) = (curves[random.below(curves.len())], curves[random.below(curves.len())]);
-    let inside = first.a.lerp(second.b, 0.2 + 0.6 * random.unit());
-    let from = match random.below(5) {
-        0 => random.beside_point(first.a),
-        1 => first.a.lerp(first.b, 1e-9 * random.unit()),
-        2 => first.a.lerp(first.b, random.unit()),
-        _ => inside,
+fn glass(n: f64) -> Substance {
+    Substance::Medium(Medium::Index(n))
+}
+
+/// The bodies scaled and turned together, then moved.
+fn placed(random: &mut Random, bodies: Vec<Body>) -> Vec<Body> {
+    let (scale, shift) = PLACES[random.below(PLACES.len())];
+    let angle = [0.0, 90.0, 360.0 * random.unit()][random.below(3)];
+    let place = |body: Body| Body {
+        shape: scaled(body.shape, scale),
+        at: Turn::degrees(angle).apply(scale * body.at) + DVec2::new(shift, -shift),
+        rotate: body.rotate + angle,
+        ..body
     };
-    let light = match random.below(6) {
-        0 => return along(from, second.tangent_at(second.a)),
-        1 => return along(first.a, first.tangent_at(first.a)),
-        2 => Light::Ray { from: first.a, direction: Direction::Towards(random.beside_point(first.b)) },
-        3 => Light::Ray { from, direction: Direction::Angle(360.0 * random.unit()) },
-        _ => Light::Ray { from, direction: Direction::Towards(random.beside_point(second.b)) },
-    };
-    let moves = !matches!(light, Light::Ray { from, direction: Direction::Towards(to) } if from == to);
-    moves.then(|| source(light))
+    bodies.into_iter().map(place).collect()
 }
 
-fn along(from: DVec2, direction: DVec2) -> Option<Source> {
-    let to = from + direction;
-    (from != to).then(|| towards(from, to))
+/// A closed shape turned by eighths, on places where such shapes cement and touch.
+fn on_lattice(random: &mut Random, substance: Substance) -> Body {
+    let shape = closed_shape(random);
+    let at = DVec2::from([random.below(5), random.below(5)].map(|k| [-2.0, -1.5, 0.0, 1.5, 2.0][k]));
+    Body { at, rotate: [0.0, 90.0, 180.0, 45.0][random.below(4)], ..body(shape, substance) }
 }
 
-fn curves(bodies: &[Body]) -> Vec<Curve> {
-    let system = compile(&Scene { bodies: bodies.to_vec(), ..Scene::default() }).unwrap().system;
-    system.bodies().iter().flat_map(|body| &body.outlines).flat_map(|outline| outline.curves.clone()).collect()
+pub(crate) fn group(random: &mut Random) -> Vec<Body> {
+    let first = body(closed_shape(random), glass(1.5));
+    let others = [2.0, 1.0, 1.5].map(|n| on_lattice(random, glass(n)));
+    [first].into_iter().chain(others).collect()
 }
 
-fn eight_bounces(bodies: Vec<Body>, sources: Vec<Source>) -> Scene {
+pub(crate) fn eight_bounces(bodies: Vec<Body>, sources: Vec<Source>) -> Scene {
     let secondary_rays = SecondaryRays::Fixed { kr: 0.5, kt: 0.5 };
     let trace = TraceSettings { secondary_rays, max_depth: 8, min_power: 0.0, ..TraceSettings::default() };
     Scene { bodies, sources, trace, ..Scene::default() }
 }
 
-/// Traces adversarial rays through random scenes and counts those that leak.
-fn leaks(seed: u64, bodies: impl Fn(&mut Random) -> Vec<Body>) -> usize {
+/// Traces adversarial rays through random scenes; fails for any that leaks, for more than a few in a wrong medium, and
+/// unless each of these aims had its share.
+fn hunt(family: &str, seed: u64, aims: &[Aim], bodies: impl Fn(&mut Random) -> Vec<Body>) {
     let mut random = Random(seed);
-    let mut leaks = 0;
-    for _ in 0..RAYS * times() / BATCH {
+    let (mut leaks, mut strays, mut aimed) = (0, 0, [0; AIMS.len()]);
+    for _ in 0..rays() / BATCH {
         let bodies = bodies(&mut random);
-        let curves = curves(&bodies);
-        let sources: Vec<_> = (0..BATCH).filter_map(|_| adversary(&mut random, &curves)).collect();
+        let bodies = placed(&mut random, bodies);
+        let marks = Marks::new(&compile(&Scene { bodies: bodies.clone(), ..Scene::default() }).unwrap().system);
+        let mut sources = Vec::new();
+        while sources.len() < BATCH as usize {
+            let Some((aim, source)) = marks.ray(&mut random) else { continue };
+            aimed[AIMS.iter().position(|known| *known == aim).unwrap()] += 1;
+            sources.push(source);
+        }
         let run = run_scene(eight_bounces(bodies, sources));
+        let clear = clear_of_rounding(&run);
         for ray in &run.trace.tree.rays {
-            let leak = ray.segments.iter().find(|s| s.ending == Ending::Escaped && s.medium_index != 1.0);
-            if let Some(leak) = leak {
+            if let Some(leak) = ray.segments.iter().find(|s| s.ending == Ending::Escaped && s.medium_index != 1.0) {
                 leaks += 1;
-                println!("{} {leak:?}", show(&run.scene, ray.source));
+                println!("leak: {} {leak:?}", show(&run.scene, ray.source));
+            } else if let Some(stray) = ray.segments.iter().find(|s| is_stray(&run, ray, s, clear)) {
+                strays += 1;
+                println!("stray: {} {stray:?}", show(&run.scene, ray.source));
             }
         }
     }
-    leaks
+    for aim in aims {
+        let share = f64::from(aimed[AIMS.iter().position(|known| known == aim).unwrap()]) / f64::from(rays());
+        at_least(&format!("share of rays aimed at {aim:?}, {family}"), share, 0.04);
+    }
+    at_most(&format!("leaks, {family}"), f64::from(leaks), 0.0);
+    // Where arcs touch, rounding decides over more than its own size.
+    at_most(&format!("share of rays in a wrong medium, {family}"), f64::from(strays) / f64::from(rays()), 1e-5);
+}
+
+/// A distance far above the rounding of a scene's places and far below its size.
+fn clear_of_rounding(run: &Run) -> f64 {
+    let points = run.system.interfaces().iter().map(|interface| interface.curve.a);
+    let (size, reach) = points.fold((0.0_f64, 0.0_f64), |(size, reach), p| {
+        (size.max(p.abs().max_element()), reach.max((p + run.system.origin()).abs().max_element()))
+    });
+    1e-7 * size + 1e-12 * reach
+}
+
+/// Whether a segment runs through a place of another medium, far from all outlines.
+fn is_stray(run: &Run, ray: &TracedRay, segment: &Segment, clear: f64) -> bool {
+    let Segment { from, to, direction, .. } = *segment;
+    let probes = match (to, segment.ending) {
+        (Some(to), _) => [0.5, 0.2].map(|part| from.lerp(to, part)),
+        (None, Ending::Escaped) => [1e6, 1e7].map(|times| from + times * clear * direction),
+        _ => return false,
+    };
+    let is_wrong = |p: &DVec2| {
+        clearance(&run.system, *p) > clear
+            && index_at(&run.system, ray.wavelength, *p, 0.25 * clear) != segment.medium_index
+    };
+    probes.iter().any(is_wrong)
 }
 
 /// A scene's bodies and one of its sources.
@@ -143,63 +183,55 @@ fn show(scene: &Scene, source: usize) -> String {
     format!("{:?}", scenes::Random(Scene { sources, bodies: scene.bodies.clone(), ..Scene::default() }))
 }
 
-fn placed(random: &mut Random, shape: Shape) -> Body {
-    let (scale, shift) = PLACES[random.below(PLACES.len())];
-    let rotate = [0.0, 90.0, 360.0 * random.unit()][random.below(3)];
-    let glass = Substance::Medium(Medium::Index(1.5));
-    Body { at: DVec2::new(shift, -shift), rotate, ..body(scaled(shape, scale), glass) }
-}
-
 #[test]
 fn no_leak_from_a_single_body() {
-    let leaks = leaks(1, |random| {
-        let shape = closed_shape(random);
-        vec![placed(random, shape)]
+    hunt("single bodies", 1, &[Aim::Vertex, Aim::AlongEdge, Aim::Tangent, Aim::Seam, Aim::TwoVertices], |random| {
+        vec![body(closed_shape(random), glass(1.5))]
     });
-    assert_eq!(leaks, 0);
 }
 
 #[test]
 fn no_leak_where_bodies_are_cemented_or_touch() {
-    let leaks = leaks(2, |random| {
-        let first = Body { at: DVec2::ZERO, ..body(closed_shape(random), Substance::Medium(Medium::Index(1.5))) };
-        let lattice = |random: &mut Random| {
-            DVec2::from([random.below(5), random.below(5)].map(|k| [-2.0, -1.5, 0.0, 1.5, 2.0][k]))
-        };
-        let mut next = |n: f64| {
-            let rotate = [0.0, 90.0, 180.0, 45.0][random.below(4)];
-            Body { at: lattice(random), rotate, ..body(closed_shape(random), Substance::Medium(Medium::Index(n))) }
-        };
-        vec![first, next(2.0), next(1.0), next(1.5)]
+    hunt("cemented and touching bodies", 2, &AIMS, group);
+}
+
+#[test]
+fn no_leak_beside_mirrors() {
+    hunt("bodies and mirrors", 4, &AIMS, |random| {
+        let mut bodies = group(random);
+        bodies.push(on_lattice(random, Substance::Surface(Surface::Mirror)));
+        bodies
     });
-    assert_eq!(leaks, 0);
 }
 
 #[test]
 fn no_leak_from_a_closed_mirror_box() {
     let mut random = Random(3);
-    let mut leaks = 0;
-    for _ in 0..RAYS * times() / BATCH {
-        let shape = closed_shape(&mut random);
-        let walls = Body { substance: Substance::Surface(Surface::Mirror), ..placed(&mut random, shape) };
-        let curves = curves(std::slice::from_ref(&walls));
+    let (mut leaks, mut aimed) = (0, 0);
+    while aimed < rays() {
+        let walls = vec![body(closed_shape(&mut random), Substance::Surface(Surface::Mirror))];
+        let walls = placed(&mut random, walls);
+        let system = compile(&Scene { bodies: walls.clone(), ..Scene::default() }).unwrap().system;
+        let curves = &system.bodies()[0].outlines[0].curves;
         let points = curves.iter().flat_map(|curve| [curve.a, curve.midpoint()]);
         let middle = 0.5 * points.sum::<DVec2>() / f64::from(u32::try_from(curves.len()).unwrap());
-        if !holds(&curves, middle) {
+        if !holds(curves, middle) {
             continue;
         }
         // From the middle at a vertex, a seam or an ulp beside: whatever the first bounce does, none may get out.
         let aim = |random: &mut Random| {
             let curve = &curves[random.below(curves.len())];
-            towards(middle, random.beside_point(curve.a))
+            let at = [curve.a, curve.midpoint()][random.below(2)];
+            towards(middle, random.beside_point(at))
         };
         let sources: Vec<_> = (0..BATCH).map(|_| aim(&mut random)).collect();
-        let run = run_scene(eight_bounces(vec![walls], sources));
-        let escaped = |ray: &&snellius::trace::TracedRay| ray.segments.iter().any(|s| s.ending == Ending::Escaped);
+        aimed += BATCH;
+        let run = run_scene(eight_bounces(walls, sources));
+        let escaped = |ray: &&TracedRay| ray.segments.iter().any(|s| s.ending == Ending::Escaped);
         for ray in run.trace.tree.rays.iter().filter(escaped) {
             leaks += 1;
-            println!("{} {:?}", show(&run.scene, ray.source), ray.segments);
+            println!("leak: {} {:?}", show(&run.scene, ray.source), ray.segments);
         }
     }
-    assert_eq!(leaks, 0);
+    at_most("leaks, closed mirror boxes", f64::from(leaks), 0.0);
 }

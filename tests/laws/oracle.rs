@@ -5,10 +5,10 @@ use snellius::OpticalSystem;
 use snellius::geometry::Curve;
 use snellius::light::Wavelength;
 
-/// Index at a point at least 1e-9 off all outlines: that of the last body that holds it.
-pub(crate) fn index_at(system: &OpticalSystem, wavelength: Wavelength, p: DVec2) -> f64 {
+/// Index at a point more than `clear` off all outlines: that of the last body that holds it.
+pub(crate) fn index_at(system: &OpticalSystem, wavelength: Wavelength, p: DVec2, clear: f64) -> f64 {
     // Off the chords of arcs, too, which run through bodies.
-    let p = p + DVec2::new(1.1e-10, 2.7e-10);
+    let p = p + clear * DVec2::new(0.11, 0.27);
     let outlines = system.bodies().iter().flat_map(|body| &body.outlines);
     let last = outlines.rev().find(|outline| outline.medium.is_some() && holds(&outline.curves, p));
     system.index(last.and_then(|outline| outline.medium).unwrap_or(system.surroundings()), wavelength)

@@ -137,7 +137,7 @@ fn medium(run: &Run, ray: &TracedRay, segment: &Segment) {
         _ => return,
     };
     for p in probes.into_iter().filter(|p| clearance(&run.system, *p) > 1e-9) {
-        let there = index_at(&run.system, ray.wavelength, p);
+        let there = index_at(&run.system, ray.wavelength, p, 1e-9);
         assert_eq!(segment.medium_index, there, "at {p:?} on {}: {segment:?}", ray.address(segment.id));
     }
     if segment.ending == Ending::Escaped {
