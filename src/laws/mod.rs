@@ -14,11 +14,11 @@
 //! - *Normal incidence.* The vector form knows the angle through cosines only, and 1 − C² cancels: below 1e-8 no digit of
 //!   S2 is left. The cross product keeps all of them (3e-16), and with it the printed angle.
 //! - *Critical angle.* 1 + (C1² − 1)/η² subtracts what was rounded before. Here (n_t C2)² is the product
-//!   (n_t − n_i S1)(n_t + n_i S1), which subtracts first, and from sin θ_t = 1/2 on the sine, the product and the root are
-//!   computed in double words, with the lengths of V and N put right: near the critical angle the law amplifies a rounding
-//!   by tan θ_t, which knows no bound. Of a million rays within 1e-15 to 1e-3 of critical, between indices that differ by
-//!   1e-7 and more, none is misjudged and none is off by more than 0.8 u = 9e-17; between indices that differ by 1e-7
-//!   the vector form misjudges a fifth of the rays within 1e-8 of critical.
+//!   (n_t − n_i S1)(n_t + n_i S1), which subtracts first, and n_i S1 is carried with twice the digits and with the lengths of
+//!   V and N put right: near the critical angle the law amplifies a rounding by tan θ_t, which knows no bound. Of a million
+//!   rays within 1e-15 to 1e-3 of critical, between indices that differ by 1e-7 and more, none is misjudged and none is off
+//!   by more than 1.5 u = 1.7e-16; between indices that differ by 1e-7 the vector form misjudges a fifth of the rays within
+//!   1e-8 of critical.
 //! - *Length.* T is made of two perpendicular unit vectors, so its length is 1 but for rounding at any angle; the vector
 //!   form reaches 1e-15.
 

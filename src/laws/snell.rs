@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::{Incidence, relative_index, renormalized};
-use crate::numerics::DoubleWord;
+use crate::numerics::{cross_parts, excess_length};
 
 /// What the boundary lets through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,9 +70,9 @@ impl Refraction {
 ///
 /// # Accuracy
 /// The arguments are taken as exact, `v` and `n` as directions whose lengths are 1 but for rounding: sin θ_i is their cross
-/// product over their lengths. T is within 4 u max(1, tan θ_t) of the true direction, u = 2^-53; from sin θ_t = 1/2 on,
-/// where the law begins to amplify every rounding, it is computed in double words: T is within 2 u, C2 keeps its relative
-/// accuracy, and total reflection is told from transmission to 1e-30 of the discriminant.
+/// product over their lengths. n_i sin θ_i is carried with twice the digits, so that the subtraction from n_t loses none: T is
+/// within 4 u of the true direction at every angle, u = 2^-53, within 2 u near the critical angle, C2 keeps its relative
+/// accuracy there, and total reflection is told from transmission to 1e-30 of the discriminant.
 ///
 /// # Source
 /// Hecht, "Optics", 4th ed., section 4.4.1; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.1; total internal
@@ -85,50 +85,36 @@ pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     if n_i == n_t {
         return Refraction::Refracted { direction: v, cos_i, sin_i, cos_t: cos_i, sin_t: sin_i };
     }
-    // The component of n V along the boundary is the same on both sides.
-    let k = n_i * sin_i;
-    if k.abs() > STEEP * n_t {
-        return refract_steep(v, n, n_i, n_t);
+    let (k, rest) = along_boundary(v, n, n_i);
+    let transmitted_normal_squared = ((n_t - k.abs()) - rest) * (n_t + k.abs());
+    // Total internal reflection: nothing is transmitted.
+    if transmitted_normal_squared <= RESOLUTION * n_t * n_t {
+        let critical = -transmitted_normal_squared <= CRITICAL * n_t * n_t;
+        return Refraction::TotalInternalReflection { cos_i, sin_i, critical };
     }
-    let (cos_t, sin_t) = (((n_t - k) * (n_t + k)).sqrt() / n_t, k / n_t);
+    // The component of n V along the boundary is the same on both sides.
+    let (cos_t, sin_t) = (transmitted_normal_squared.sqrt() / n_t, k / n_t);
     Refraction::Refracted { direction: renormalized(sin_t * tangent - cos_t * n), cos_i, sin_i, cos_t, sin_t }
 }
 
-/// The sine of the angle of transmission from which on `refract` computes in double words. Below, tan θ_t < 0.58 keeps the
-/// roundings of S2, up to 5 u, below 3 u in the direction.
-const STEEP: f64 = 0.5;
-
-/// [`refract`] in double words.
-fn refract_steep(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
-    let Incidence { cos: cos_i, sin: sin_i, tangent } = Incidence::new(v, n);
-    let n_length = inverse_length(n);
-    let sine = DoubleWord::product(v.x, n.y) - DoubleWord::product(v.y, n.x);
-    let index = DoubleWord::from(n_t);
-    let k = sine * inverse_length(v) * n_length * DoubleWord::from(n_i);
-    let transmitted_normal_squared = (index - k) * (index + k);
-    // Total internal reflection: nothing is transmitted.
-    if transmitted_normal_squared.value() <= 0.0 {
-        let critical = -transmitted_normal_squared.value() <= CRITICAL * n_t * n_t;
-        return Refraction::TotalInternalReflection { cos_i, sin_i, critical };
-    }
-    let (cos_t, sin_t) = (transmitted_normal_squared.sqrt().divided_by(n_t), k.divided_by(n_t));
-    let component = |tangent: f64, normal: f64| {
-        ((sin_t * DoubleWord::from(tangent) - cos_t * DoubleWord::from(normal)) * n_length).value()
-    };
-    let direction = DVec2::new(component(tangent.x, n.x), component(tangent.y, n.y));
-    Refraction::Refracted { direction, cos_i, sin_i, cos_t: cos_t.value(), sin_t: sin_t.value() }
+/// k = n_i sin θ_i, signed as the sine, and what |k| still lacks: the cross product of `v` and `n` with what rounding took
+/// from it, over their lengths. With |v|² |n|² = 1 + e that divides by 1 + e/2 − e²/8.
+fn along_boundary(v: DVec2, n: DVec2, n_i: f64) -> (f64, f64) {
+    let (sine, sine_rest) = cross_parts(v, n);
+    let e = excess_length(v) + excess_length(n);
+    let k = n_i * sine;
+    let rest = n_i.mul_add(sine, -k) + n_i * sine_rest - k * (0.5 * e - 0.375 * e * e);
+    // The nearest number first, so that k alone is good to one rounding.
+    let nearest = k + rest;
+    (nearest, (rest - (nearest - k)) * sine.signum())
 }
+
+/// Discriminants below this are 0: their own error is some 2^-102.
+const RESOLUTION: f64 = f64::EPSILON * f64::EPSILON * 16.0;
 
 /// Rounding V and N to their nearest numbers moves 1 − (1 − C1²)/η² by up to 4 u: that much past it is still the critical
 /// angle.
 const CRITICAL: f64 = 2.0 * f64::EPSILON;
-
-/// 1/|v| of a vector whose length is 1 but for rounding: with |v|² = 1 + e it is 1 − e/2 + 3e²/8.
-fn inverse_length(v: DVec2) -> DoubleWord {
-    let e = DoubleWord::product(v.x, v.x) + DoubleWord::product(v.y, v.y) - DoubleWord::from(1.0);
-    let first = 0.375 * e.value() * e.value();
-    DoubleWord::from(1.0) - e * DoubleWord::from(0.5) + DoubleWord::from(first)
-}
 
 /// The vector form of Snell's law: T = V/η + (C1/η − C2) N with C1 = −N·V, C2 = √(1 + (C1² − 1)/η²) and η = n_t/n_i, the
 /// transmitted direction straight from the incoming one and the normal, without an angle or a tangent. `None` where the

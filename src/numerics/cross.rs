@@ -22,6 +22,30 @@ pub fn dot(a: DVec2, b: DVec2) -> f64 {
     cross(a, b.perp())
 }
 
+/// The cross product `a.x * b.y - a.y * b.x` as a number and what rounding took from it: their sum is within 2 u² of the
+/// larger product, u = 2^-53.
+///
+/// # Source
+/// Dekker, "A Floating-Point Technique for Extending the Available Precision", Numerische Mathematik 18 (1971), 224-242, for
+/// the sum of two doubled numbers; Møller and Knuth for the rest of a sum (Knuth, "The Art of Computer Programming", vol. 2,
+/// section 4.2.2, theorem B).
+#[must_use]
+pub fn cross_parts(a: DVec2, b: DVec2) -> (f64, f64) {
+    let (first, second) = (a.x * b.y, -a.y * b.x);
+    let total = first + second;
+    let part = total - first;
+    let lost = (first - (total - part)) + (second - part);
+    (total, lost + (a.x.mul_add(b.y, -first) + (-a.y).mul_add(b.x, -second)))
+}
+
+/// How far the squared length of a vector is above 1, to 1e-31, for one whose length is 1 but for rounding.
+#[must_use]
+pub fn excess_length(v: DVec2) -> f64 {
+    let (x, y) = (v.x * v.x, v.y * v.y);
+    // The larger square less 1 is exact, and so is what the smaller one leaves of it.
+    ((x.max(y) - 1.0) + x.min(y)) + (v.x.mul_add(v.x, -x) + v.y.mul_add(v.y, -y))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -34,5 +58,30 @@ mod tests {
         // (1 + ε)² − (1 + 2ε) = ε² exactly; the plain formula gives 0.
         assert_eq!(cross(a, b), tiny * tiny);
         assert_eq!(dot(a, -b.perp()), tiny * tiny);
+    }
+
+    #[test]
+    fn the_parts_of_a_cross_product_hold_what_rounding_took() {
+        let (a, b) = (DVec2::new(0.1, 0.7), DVec2::new(0.3, -0.2));
+        let (total, rest) = cross_parts(a, b);
+        assert_eq!(total, cross(a, b));
+        assert!(rest != 0.0 && rest.abs() <= 0.5 * f64::EPSILON * total.abs());
+        // −0.1·0.2 − 0.7·0.3 of the numbers nearest to these, less −0.23 of its nearest, by exact decimals.
+        assert!((total + rest + 0.23).abs() <= f64::EPSILON);
+        let tiny = f64::EPSILON;
+        assert_eq!(cross_parts(DVec2::new(1.0, tiny), DVec2::new(tiny * tiny, 1.0)), (1.0, -tiny * tiny * tiny));
+    }
+
+    #[test]
+    fn the_excess_of_a_rounded_unit_vector() {
+        // 0.6² + 0.8² of the nearest numbers is 1 + 2 (0.8·4.44e-17 − 0.6·2.22e-17) = 1 + 4.44e-17.
+        for v in [DVec2::new(0.6, 0.8), DVec2::new(-0.8, 0.6)] {
+            assert!((excess_length(v) - 4.440_892_098_500_626e-17).abs() < 1e-31, "{:e}", excess_length(v));
+        }
+        assert_eq!(excess_length(DVec2::new(1e-170, 1.0)), 0.0);
+        assert_eq!(
+            excess_length(DVec2::new(1.0 + f64::EPSILON, 0.0)),
+            2.0 * f64::EPSILON + f64::EPSILON * f64::EPSILON
+        );
     }
 }
