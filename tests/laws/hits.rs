@@ -101,7 +101,7 @@ fn turned_about_origin(scene: Scene, angle: f64) -> Scene {
 fn hits_lie_on_their_curves_where_rays_are_aimed_at_corners() {
     let mut random = support::random::Random(11);
     let (mut hits, mut worst) = (0, 0.0_f64);
-    for _ in 0..size(200, 20_000) {
+    for _ in 0..size(200, 5_000) {
         let bodies = group(&mut random);
         let marks = Marks::new(&compile(&Scene { bodies: bodies.clone(), ..Scene::default() }).unwrap().system);
         let sources = (0..20).filter_map(|_| marks.ray(&mut random)).map(|(_, source)| source).collect();
@@ -117,7 +117,7 @@ fn hits_lie_on_arcs_of_any_radius() {
     let mut random = support::random::Random(12);
     let (mut hits, mut worst) = (0, 0.0_f64);
     let signed = |random: &mut support::random::Random, x: f64| if random.below(2) == 0 { x } else { -x };
-    for _ in 0..size(300, 30_000) {
+    for _ in 0..size(300, 5_000) {
         // Radii of 1e1 to 1e15 for the lens, 1e-12 to 1 for the ball.
         let magnitude = |random: &mut support::random::Random, from: i32, decades: f64| {
             libm::pow(10.0, f64::from(from) + decades * random.unit())
