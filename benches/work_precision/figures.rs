@@ -12,18 +12,18 @@ pub(crate) struct Figures {
 
 impl Figures {
     pub(crate) fn at_most(&mut self, name: &str, value: f64, bound: f64) {
-        println!("FIGURE,{name},{value:.3e},at most,{bound:.3e}");
+        println!("FIGURE|{name}|{value:.3e}|at most|{bound:.3e}");
         self.note(name, value, format!("≤ {}", digits(bound)), value <= bound);
     }
 
     pub(crate) fn at_least(&mut self, name: &str, value: f64, bound: f64) {
-        println!("FIGURE,{name},{value:.3e},at least,{bound:.3e}");
+        println!("FIGURE|{name}|{value:.3e}|at least|{bound:.3e}");
         self.note(name, value, format!("≥ {}", digits(bound)), value >= bound);
     }
 
     /// A figure without a bound.
     pub(crate) fn counted(&mut self, name: &str, value: f64) {
-        println!("FIGURE,{name},{value:.3e},,");
+        println!("FIGURE|{name}|{value:.3e}||");
         self.note(name, value, String::new(), true);
     }
 

@@ -10,12 +10,12 @@ status=0
 SNELLIUS_FULL=1 cargo test --release --test laws --test accuracy --test reference --no-fail-fast -- --nocapture | tee "$output" ||
     status=$?
 
-# FIGURE,name,measured,at most,bound: a test's own line may stand before it.
+# FIGURE|name|measured|at most|bound: a test's own line may stand before it.
 {
     echo "figure,measured,bound"
-    sed -n 's/^.*FIGURE,/FIGURE,/p' "$output" | LC_ALL=C sort -u | awk -F, '
-        BEGIN { sign["at most"] = "≤ %.3g"; sign["at least"] = "≥ %.3g" }
-        { printf "%s,%.3g,%s\n", $2, $3, $4 ? sprintf(sign[$4], $5) : "" }'
+    sed -n 's/^.*FIGURE|/FIGURE|/p' "$output" | LC_ALL=C sort -u | awk -F'|' '
+        BEGIN { sign["at most"] = "≤ "; sign["at least"] = "≥ " }
+        { printf "\"%s\",%s,%s\n", $2, $3 + 0, $4 ? sign[$4] ($5 + 0) : "" }'
 } > docs/accuracy/figures.csv
 
 cargo bench --bench work_precision || status=$?

@@ -16,18 +16,18 @@ pub fn size(quick: u32, full: u32) -> u32 {
 /// Prints a measured figure and fails where it is above its bound.
 #[track_caller]
 pub fn at_most(name: &str, value: f64, bound: f64) {
-    println!("FIGURE,{name},{value:.3e},at most,{bound:.3e}");
+    println!("FIGURE|{name}|{value:.3e}|at most|{bound:.3e}");
     assert!(value <= bound, "{name}: {value:e} is above {bound:e}");
 }
 
 /// Prints a measured figure and fails where it is below its bound.
 #[track_caller]
 pub fn at_least(name: &str, value: f64, bound: f64) {
-    println!("FIGURE,{name},{value:.3e},at least,{bound:.3e}");
+    println!("FIGURE|{name}|{value:.3e}|at least|{bound:.3e}");
     assert!(value >= bound, "{name}: {value:e} is below {bound:e}");
 }
 
 /// Prints a measured figure that has no bound.
 pub fn counted(name: &str, value: f64) {
-    println!("FIGURE,{name},{value:.3e},,");
+    println!("FIGURE|{name}|{value:.3e}||");
 }
