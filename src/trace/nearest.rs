@@ -289,11 +289,12 @@ impl Probe<'_> {
         }
     }
 
-    /// Whether the ray only touches a circle ahead, up to rounding: the cap of chord L that it cuts off is L²κ/8 high.
+    /// Whether the ray only touches a circle ahead, up to the rounding of its aim, 8 u of the largest coordinate: the cap of
+    /// chord L that it cuts off is L²κ/8 high.
     fn touches(&self, roots: &CircleRoots, candidate: &Interface) -> bool {
         let chord = roots.from_left - roots.from_right;
         let height = chord * chord * candidate.curve.curvature.abs() / 8.0;
-        roots.from_left.min(roots.from_right) > self.near && height <= self.near
+        roots.from_left.min(roots.from_right) > self.near && height <= self.near / 16.0
     }
 
     /// For an arc whose ends lie on one side of the ray's line, and a line that meets its circle: whether the arc is what

@@ -24,9 +24,9 @@ pub(crate) enum Doubt {
     Power,
 }
 
-/// snellius lets a ray pass an arc of which it cuts off a cap no higher than this share of the largest coordinate: 64 ulp,
-/// in which it takes places to be rounding.
-const LOWEST_CAP: f64 = 128.0 * U;
+/// snellius lets a ray pass an arc of which it cuts off a cap no higher than this share of the largest coordinate, in which
+/// it takes its aim to be rounding.
+const LOWEST_CAP: f64 = 8.0 * U;
 
 /// What a deviation of the disturbed states means for f64: 100 u of what 2^-60 did.
 fn doubtful(deviation: f256, least: f256) -> f256 {
