@@ -55,7 +55,8 @@ fn every_command_line_runs_and_prints_what_is_shown() {
                     let lines = block.text.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#'));
                     for line in lines {
                         let Some(line) = runnable(line) else {
-                            assert!(line.starts_with("cargo ") || line.starts_with("git "), "{line}");
+                            let is_script = root().join(line).is_file();
+                            assert!(is_script || line.starts_with("cargo ") || line.starts_with("git "), "{line}");
                             continue;
                         };
                         printed =
