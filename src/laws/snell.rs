@@ -71,8 +71,9 @@ impl Refraction {
 /// # Accuracy
 /// The arguments are taken as exact, `v` and `n` as directions whose lengths are 1 but for rounding: sin θ_i is their cross
 /// product over their lengths. n_i sin θ_i is carried with twice the digits, so that the subtraction from n_t loses none: T is
-/// within 4 u of the true direction at every angle, u = 2^-53, within 2 u near the critical angle, C2 keeps its relative
-/// accuracy there, and total reflection is told from transmission to 1e-30 of the discriminant.
+/// within 4 u of the true direction at every angle, u = 2^-53, and within 2 u near the critical angle. The discriminant C2² is
+/// good to 2^-102, which tells total reflection from transmission; C2 has the relative error of its root, 2^-103/C2², beside
+/// a few u.
 ///
 /// # Source
 /// Hecht, "Optics", 4th ed., section 4.4.1; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.1; total internal

@@ -12,6 +12,22 @@ fn the_tables_are_those_of_their_files() {
 }
 
 #[test]
+fn no_recorded_figure_is_past_its_bound() {
+    let mut held = 0;
+    for table in ["figures", "work_precision"] {
+        let mut reader = csv::Reader::from_path(root().join(format!("docs/accuracy/{table}.csv"))).unwrap();
+        for row in reader.records().map(Result::unwrap) {
+            let measured: f64 = row[1].parse().unwrap();
+            let Some((sign, bound)) = row[2].split_once(' ') else { continue };
+            let bound: f64 = bound.parse().unwrap();
+            assert!(if sign == "≤" { measured <= bound } else { measured >= bound }, "{row:?}");
+            held += 1;
+        }
+    }
+    assert!(held > 40, "{held} figures with a bound");
+}
+
+#[test]
 fn a_table_is_filled_in_and_one_without_a_file_stays() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("known.csv"), "what,value\nspeed,3e8\nindex,1.5\n").unwrap();
