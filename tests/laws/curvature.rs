@@ -75,3 +75,18 @@ fn a_tangent_passes_by_and_a_chord_goes_in_and_out() {
         }
     }
 }
+
+#[test]
+fn far_from_the_origin_a_cap_above_the_rounding_of_its_place_is_met() {
+    let segments = |below_the_top: f64| {
+        let run = run_text(&format!(
+            "(bodies: [(shape: Disk(1), at: (1e6, 0), medium: Index(1.5))], trace: (secondary_rays: TransmittedOnly), \
+             sources: [(light: Ray(from: (999990, {:?}), direction: Angle(0)))])",
+            1.0 - below_the_top
+        ));
+        run.trace.tree.rays[0].segments.len()
+    };
+    // An ulp of the place is 1.2e-10.
+    assert_eq!(segments(1e-8), 3);
+    assert_eq!(segments(1e-10), 1);
+}
