@@ -71,9 +71,9 @@ impl Refraction {
 /// # Accuracy
 /// The arguments are taken as exact, `v` and `n` as directions whose lengths are 1 but for rounding: sin θ_i is their cross
 /// product over their lengths. n_i sin θ_i is carried with twice the digits, so that the subtraction from n_t loses none: T is
-/// within 4 u of the true direction at every angle, u = 2^-53, and within 2 u near the critical angle. The discriminant C2² is
-/// good to 2^-102, which tells total reflection from transmission; C2 has the relative error of its root, 2^-103/C2², beside
-/// a few u.
+/// within 4 u max(1, tan θ_t) of the true direction, u = 2^-53, and within 2 u near the critical angle. The discriminant C2² is
+/// good to some 2^-102 max(1, n_i/n_t), which tells total reflection from transmission; C2 has the relative error of its root
+/// beside a few u.
 ///
 /// # Source
 /// Hecht, "Optics", 4th ed., section 4.4.1; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.1; total internal
@@ -90,7 +90,7 @@ pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     let transmitted_normal_squared = ((n_t - k.abs()) - rest) * (n_t + k.abs());
     // Total internal reflection: nothing is transmitted.
     if transmitted_normal_squared <= RESOLUTION * n_t * n_t {
-        let critical = -transmitted_normal_squared <= CRITICAL * n_t * n_t;
+        let critical = -transmitted_normal_squared <= CRITICAL * n_i * n_t;
         return Refraction::TotalInternalReflection { cos_i, sin_i, critical };
     }
     // The component of n V along the boundary is the same on both sides.
@@ -110,11 +110,11 @@ fn along_boundary(v: DVec2, n: DVec2, n_i: f64) -> (f64, f64) {
     (nearest, (rest - (nearest - k)) * sine.signum())
 }
 
-/// Discriminants below this are 0: their own error is some 2^-102.
+/// Discriminants below this are 0: their own error is some 2^-102 n_i/n_t.
 const RESOLUTION: f64 = f64::EPSILON * f64::EPSILON * 16.0;
 
-/// Rounding V and N to their nearest numbers moves 1 − (1 − C1²)/η² by up to 4 u: that much past it is still the critical
-/// angle.
+/// Rounding V and N to their nearest numbers moves 1 − (1 − C1²)/η² by up to 4 u n_i/n_t: that much past it is still the
+/// critical angle.
 const CRITICAL: f64 = 2.0 * f64::EPSILON;
 
 /// The vector form of Snell's law: T = V/η + (C1/η − C2) N with C1 = −N·V, C2 = √(1 + (C1² − 1)/η²) and η = n_t/n_i, the

@@ -32,23 +32,31 @@ pub fn dot(a: DVec2, b: DVec2) -> f64 {
 #[must_use]
 pub fn cross_parts(a: DVec2, b: DVec2) -> (f64, f64) {
     let (first, second) = (a.x * b.y, -a.y * b.x);
-    let total = first + second;
-    let part = total - first;
-    let lost = (first - (total - part)) + (second - part);
+    let (total, lost) = sum_parts(first, second);
     (total, lost + (a.x.mul_add(b.y, -first) + (-a.y).mul_add(b.x, -second)))
+}
+
+/// The sum of two numbers rounded, and what rounding took from it, exactly.
+fn sum_parts(a: f64, b: f64) -> (f64, f64) {
+    let total = a + b;
+    let part = total - a;
+    (total, (a - (total - part)) + (b - part))
 }
 
 /// How far the squared length of a vector is above 1, to 1e-31, for one whose length is 1 but for rounding.
 #[must_use]
 pub fn excess_length(v: DVec2) -> f64 {
     let (x, y) = (v.x * v.x, v.y * v.y);
-    // The larger square less 1 is exact, and so is what the smaller one leaves of it.
-    ((x.max(y) - 1.0) + x.min(y)) + (v.x.mul_add(v.x, -x) + v.y.mul_add(v.y, -y))
+    let (total, lost) = sum_parts(x, y);
+    // What is near 1 less 1 is exact.
+    (total - 1.0) + (lost + (v.x.mul_add(v.x, -x) + v.y.mul_add(v.y, -y)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const DIAGONAL: f64 = -8.053393020570264e-16;
 
     #[test]
     fn keeps_its_digits_where_the_products_cancel() {
@@ -78,6 +86,9 @@ mod tests {
         for v in [DVec2::new(0.6, 0.8), DVec2::new(-0.8, 0.6)] {
             assert!((excess_length(v) - 4.440_892_098_500_626e-17).abs() < 1e-31, "{:e}", excess_length(v));
         }
+        // Both squares below 1/2: 2·0.7071067811865472² of the nearest number less 1, by exact fractions.
+        let diagonal = excess_length(DVec2::splat(0.707_106_781_186_547_2));
+        assert!((diagonal / DIAGONAL - 1.0).abs() < 1e-15, "{diagonal:e}");
         assert_eq!(excess_length(DVec2::new(1e-170, 1.0)), 0.0);
         assert_eq!(
             excess_length(DVec2::new(1.0 + f64::EPSILON, 0.0)),

@@ -133,6 +133,28 @@ fn near_the_critical_angle_nothing_is_lost() {
     at_most("near critical: error of T in u", worst, 2.0);
 }
 
+/// Along the diagonal both squares of a direction may be below 1/2; a trace's directions are some units longer or shorter
+/// than 1.
+#[test]
+fn near_the_critical_angle_lengths_of_diagonal_directions_count() {
+    let mut random = Random(15);
+    let (mut worst, mut wrong): (f64, u32) = (0.0, 0);
+    for _ in 0..size(20_000, 1_000_000) {
+        let units = |random: &mut Random| U * (8.0 * random.unit() - 4.0);
+        let v = DVec2::splat(std::f64::consts::FRAC_1_SQRT_2) + DVec2::new(units(&mut random), units(&mut random));
+        let n_t = 1.0 + random.unit();
+        let n_i = n_t * std::f64::consts::SQRT_2 * (1.0 + units(&mut random));
+        let arrival = Arrival { v, n: [DVec2::NEG_X, DVec2::NEG_Y][random.below(2)], n_i, n_t };
+        match (refract(v, arrival.n, n_i, n_t).direction(), arrival.truth().transmitted) {
+            (Some(direction), Some((t, _))) => worst = worst.max(narrow(Wide2::from(direction).cross(t)).abs() / U),
+            (None, None) => {}
+            _ => wrong += 1,
+        }
+    }
+    at_most("near critical along the diagonal: wrong verdicts", f64::from(wrong), 0.0);
+    at_most("near critical along the diagonal: error of T in u", worst, 2.0);
+}
+
 /// The powers' fractions by the textbook's formulas.
 struct Powers {
     transmitted: [f64; 2],
