@@ -33,16 +33,20 @@ pub(crate) struct Bundle {
     pub(crate) states: Vec<State>,
     size: f64,
     hits: u32,
+    /// Whether left and right have changed sides, by an odd number of reflections.
+    mirrored: bool,
 }
 
 impl Nudge {
     pub(crate) const NONE: Self =
         Self { sideways: f256::ZERO, turn: f256::ZERO, numbers: Numbers { state: 0, size: 0.0 } };
 
-    fn new(state: usize, hits: u32, size: f64) -> Self {
+    /// The last signs add up along a path, as a turn to the left is one to the right after a reflection; the others are equal
+    /// or change with the hits.
+    fn new(state: usize, hits: u32, mirrored: bool, size: f64) -> Self {
         let Some(pattern) = state.checked_sub(1) else { return Self::NONE };
         let smallest = power_of_two(-60);
-        let flips = [false, hits % 2 == 1, hits % 4 >= 2][pattern / 2];
+        let flips = [false, hits % 2 == 1, hits % 4 >= 2, mirrored][pattern / 2];
         let sideways = if flips { -smallest } else { smallest };
         let turn = if pattern % 2 == 1 { -sideways } else { sideways };
         Self { sideways, turn, numbers: Numbers { state, size } }
@@ -76,10 +80,10 @@ impl Nudge {
 impl Bundle {
     pub(crate) fn new(start: State, size: f64) -> Self {
         let nudged = |state| {
-            let nudge = Nudge::new(state, 0, size);
+            let nudge = Nudge::new(state, 0, false, size);
             State { p: nudge.point(start.p, start.d), d: nudge.direction(start.d), ..start }
         };
-        Self { states: (0..=PATTERNS).map(nudged).collect(), size, hits: 0 }
+        Self { states: (0..=PATTERNS).map(nudged).collect(), size, hits: 0, mirrored: false }
     }
 
     pub(crate) fn truth(&self) -> &State {
@@ -93,14 +97,15 @@ impl Bundle {
         Some(Self { states, ..*self })
     }
 
-    /// Every state after a hit; `None` as at it.
-    pub(crate) fn after_hit(&self, next: impl Fn(&State, &Nudge) -> Option<State>) -> Option<Self> {
-        Some(Self { hits: self.hits + 1, ..self.at_hit(next)? })
+    /// Every state after a hit, reflected or transmitted; `None` as at it.
+    pub(crate) fn after_hit(&self, reflected: bool, next: impl Fn(&State, &Nudge) -> Option<State>) -> Option<Self> {
+        let turned = Self { mirrored: self.mirrored != reflected, ..self.clone() };
+        Some(Self { hits: self.hits + 1, ..turned.at_hit(next)? })
     }
 
     /// What disturbs a state at the next hit.
     fn nudge(&self, state: usize) -> Nudge {
-        Nudge::new(state, self.hits + 1, self.size)
+        Nudge::new(state, self.hits + 1, self.mirrored, self.size)
     }
 
     /// Largest deviation of a number from its true one.

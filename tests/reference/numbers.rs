@@ -5,7 +5,7 @@ use f256::f256;
 use crate::support::wide::{power_of_two, wide};
 
 /// Sign patterns of disturbances, so that what cancels in one does not in another.
-pub(crate) const PATTERNS: usize = 6;
+pub(crate) const PATTERNS: usize = 8;
 
 /// What the numbers of a scene are read with: state 0 takes them as they are, the others change each by 2^-60 of itself,
 /// lengths by no more than 2^-60 of the scene's size; equal numbers by the same.

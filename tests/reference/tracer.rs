@@ -231,7 +231,8 @@ impl<'a> Tracer<'a> {
             return Segment { doubt: Some(doubt), ..segment };
         }
         let total = meeting.is_total(arrived.truth());
-        let way = |transmitted: bool| arrived.after_hit(|state, nudge| meeting.way(state, nudge, transmitted));
+        let way =
+            |transmitted: bool| arrived.after_hit(!transmitted, |state, nudge| meeting.way(state, nudge, transmitted));
         let reflection = if total { Via::TotalInternalReflection } else { Via::Reflection };
         let mut ways = vec![(reflection, branch.medium, way(false))];
         if !total {
