@@ -49,9 +49,9 @@ pub(crate) fn tolerance(reach: f64) -> f64 {
 
 /// Cuts the boundaries at their common points and merges what coincides.
 pub(crate) fn arrange(boundaries: &[Boundary]) -> Vec<Piece> {
-    let mut arrangement = Arrangement::new(boundaries);
     let boxes: Vec<_> = boundaries.iter().map(|b| Bounds::from(&b.curve).grown(2.0 * tolerance(b.reach))).collect();
     let pairs = meeting(&boxes);
+    let mut arrangement = Arrangement::new(boundaries, &pairs);
     for &(i, j) in &pairs {
         arrangement.join_ends(i, j);
     }
@@ -85,16 +85,24 @@ struct Arrangement<'a> {
     leader: Vec<usize>,
     ends: Vec<[usize; 2]>,
     cuts: Vec<Vec<usize>>,
+    /// Boundaries whose boxes meet a boundary's.
+    neighbors: Vec<Vec<usize>>,
 }
 
 impl<'a> Arrangement<'a> {
-    fn new(boundaries: &'a [Boundary]) -> Self {
+    fn new(boundaries: &'a [Boundary], pairs: &[(usize, usize)]) -> Self {
+        let mut neighbors = vec![Vec::new(); boundaries.len()];
+        for &(i, j) in pairs {
+            neighbors[i].push(j);
+            neighbors[j].push(i);
+        }
         let points: Vec<_> = boundaries.iter().flat_map(|b| [b.curve.a, b.curve.b]).collect();
         Self {
             boundaries,
             leader: (0..points.len()).collect(),
             ends: (0..boundaries.len()).map(|i| [2 * i, 2 * i + 1]).collect(),
             cuts: vec![Vec::new(); boundaries.len()],
+            neighbors,
             points,
         }
     }
@@ -161,6 +169,22 @@ impl<'a> Arrangement<'a> {
                 if known.is_none() {
                     self.cuts[boundary].push(vertex);
                 }
+            }
+            if known == [None, None] {
+                self.cut_coincident(i, vertex);
+                self.cut_coincident(j, vertex);
+            }
+        }
+    }
+
+    /// Cuts what runs along boundary `i` at a new vertex on it, too: a third curve that crosses two coincident ones at a small
+    /// angle meets them in places that are farther apart than they are.
+    fn cut_coincident(&mut self, i: usize, vertex: usize) {
+        let p = self.at(vertex);
+        for k in self.neighbors[i].clone() {
+            let tolerance = self.pair_tolerance(i, k);
+            if lies_on(&self.boundaries[k].curve, p, tolerance) && self.known_at(k, p, tolerance).is_none() {
+                self.cuts[k].push(vertex);
             }
         }
     }

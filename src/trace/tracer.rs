@@ -98,7 +98,11 @@ impl<'a> Tracer<'a> {
         let mut crossing = None;
         if ending.is_none() {
             self.segments_left -= 1;
-            (branch.ray.medium, crossing) = self.meet(&branch.ray);
+            crossing = nearest(self.system, self.near, &branch.ray);
+            let is_outside = branch.ray.medium == self.system.surroundings;
+            if branch.parent.is_none() && crossing.is_none() && !is_outside {
+                (branch.ray.medium, crossing) = self.meet_beyond(&branch.ray);
+            }
         }
         let segment = Segment {
             id,
@@ -116,19 +120,13 @@ impl<'a> Tracer<'a> {
         crossing.map_or(segment, |crossing| self.arrive(&branch, &crossing, segment))
     }
 
-    /// What a ray meets, and the medium it runs in. That is another than the ray's own where its start lies beside a boundary,
-    /// up to rounding, and its line misses the medium altogether: then it is what lies beyond the nearest boundary.
-    fn meet(&self, ray: &Ray) -> (MediumId, Option<Crossing>) {
+    /// The medium that a source's ray runs in whose line misses the one it was found in, and what it meets there. Such a ray
+    /// starts beside a boundary up to rounding: it runs in what lies beyond the nearest one, or else in the surroundings.
+    fn meet_beyond(&self, ray: &Ray) -> (MediumId, Option<Crossing>) {
         let outside = self.system.surroundings;
-        let mut medium = ray.medium;
-        loop {
-            let crossing = nearest(self.system, self.near, &Ray { medium, ..*ray });
-            if crossing.is_some() || medium == outside {
-                return (medium, crossing);
-            }
-            let beyond = beyond(&self.system.interfaces, ray);
-            medium = if medium == ray.medium && beyond != medium { beyond } else { outside };
-        }
+        let meet = |medium| Some((medium, Some(nearest(self.system, self.near, &Ray { medium, ..*ray })?)));
+        let media = [beyond(&self.system.interfaces, ray), outside];
+        media.into_iter().find_map(meet).unwrap_or((outside, None))
     }
 
     fn cut(&self, branch: &Branch, started_with: f64) -> Option<Ending> {

@@ -6,7 +6,7 @@ use snellius::Scene;
 use snellius::compile::compile;
 use snellius::numerics::Turn;
 use snellius::scene::{Body, Medium, PathStep, SecondaryRays, Shape, Source, Substance, Surface, TraceSettings};
-use snellius::trace::{Ending, Segment, TracedRay};
+use snellius::trace::{Ending, Segment, SegmentId, TracedRay, Via};
 
 use crate::adversary::{AIMS, Aim, Marks};
 use crate::oracle::{clearance, holds, index_at};
@@ -135,7 +135,7 @@ fn hunt(family: &str, seed: u64, aims: &[Aim], bodies: impl Fn(&mut Random) -> V
         let run = run_scene(eight_bounces(bodies, sources));
         let clear = clear_of_rounding(&run);
         for ray in &run.trace.tree.rays {
-            if let Some(leak) = ray.segments.iter().find(|s| s.ending == Ending::Escaped && s.medium_index != 1.0) {
+            if let Some(leak) = ray.segments.iter().find(|s| is_leak(ray, s)) {
                 leaks += 1;
                 println!("leak: {} {leak:?}", show(&run.scene, ray.source));
             } else if let Some(stray) = ray.segments.iter().find(|s| is_stray(&run, ray, s, clear)) {
@@ -151,6 +151,16 @@ fn hunt(family: &str, seed: u64, aims: &[Aim], bodies: impl Fn(&mut Random) -> V
     at_most(&format!("leaks, {family}"), f64::from(leaks), 0.0);
     // Where arcs touch, rounding decides over more than its own size.
     at_most(&format!("share of rays in a wrong medium, {family}"), f64::from(strays) / f64::from(rays()), 1e-5);
+}
+
+/// Whether light escapes from inside a medium, or runs on in another than it was sent into.
+pub(crate) fn is_leak(ray: &TracedRay, segment: &Segment) -> bool {
+    let escapes = segment.ending == Ending::Escaped && segment.medium_index != 1.0;
+    let sent_into = |parent: SegmentId| {
+        let hit = ray.segments[parent.index()].hit.unwrap();
+        if segment.via == Via::Transmission { hit.n_t.unwrap() } else { hit.n_i }
+    };
+    escapes || segment.parent.is_some_and(|parent| sent_into(parent) != segment.medium_index)
 }
 
 /// A distance far above the rounding of a scene's places and far below its size.
