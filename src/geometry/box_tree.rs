@@ -1,0 +1,405 @@
+//! A search tree over boxes, four to a node.
+//!
+//! # Source
+//! Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing 2007, for
+//! the binned splits; Wald, Benthin and Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing 2008, for
+//! the wide nodes.
+
+use std::array::from_fn;
+
+use glam::DVec2;
+
+use crate::geometry::Bounds;
+
+/// Boxes by their place in a list, found by where they are.
+///
+/// A search visits every box that qualifies and some that only nearly do: boxes are kept in single precision of the whole
+/// tree's extent, rounded outward.
+#[derive(Clone, Debug)]
+pub struct BoxTree {
+    nodes: Vec<Node>,
+    /// The box around all boxes.
+    bounds: Bounds,
+    /// A power of two that brings `bounds`, less its center, to at most 1.
+    scale: f64,
+}
+
+/// Four boxes side by side, with what is in each.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    min: [[f32; 4]; 2],
+    max: [[f32; 4]; 2],
+    content: [u32; 4],
+}
+
+/// In `content`, for a box of the list and not a node.
+const ITEM: u32 = 1 << 31;
+/// In `content`, for nothing.
+const NONE: u32 = u32::MAX;
+/// How far boxes are grown, in units of the extent. Rounding boxes and rays to single precision moves them by up to 2^-21.
+const PAD: f32 = 1.0 / 1_048_576.0;
+/// Bins of a split.
+const BINS: usize = 16;
+
+/// Splits deeper than this are in halves, so that no list makes a tree much deeper.
+const DEEP: u32 = 32;
+
+/// What waits to be searched: the distance at which a line enters a box, in the tree's units, and what is in the box.
+pub type Waiting = Vec<(f32, u32)>;
+
+impl BoxTree {
+    /// A tree over at most 2^31 − 1 boxes. Boxes beyond that are left out.
+    #[must_use]
+    pub fn new(boxes: &[Bounds]) -> Self {
+        let bounds = boxes.iter().fold(Bounds::EMPTY, |all, one| all.union(*one));
+        let extent = bounds.size().max_element();
+        let scale = if extent > 0.0 { libm::ldexp(1.0, -libm::frexp(extent).1) } else { 1.0 };
+        let mut tree = Self { nodes: Vec::with_capacity(boxes.len() / 2 + 1), bounds, scale };
+        let mut items: Vec<Item> =
+            (0..ITEM - 1).zip(boxes).map(|(k, b)| Item { place: k, flat: tree.flat(*b) }).collect();
+        tree.node(&mut items, 0);
+        tree
+    }
+
+    /// Visits the boxes that share a point with `bounds`.
+    pub fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
+        let Flat { min, max } = self.flat(bounds);
+        let mut waiting = vec![0];
+        while let Some(place) = waiting.pop() {
+            let Some(node) = self.nodes.get(place as usize) else { continue };
+            for slot in 0..4 {
+                let meets = |axis: usize| node.min[axis][slot] <= max[axis] && min[axis] <= node.max[axis][slot];
+                match node.content[slot] {
+                    content if content == NONE || !(meets(0) && meets(1)) => {}
+                    content if content & ITEM != 0 => visit((content & !ITEM) as usize),
+                    content => waiting.push(content),
+                }
+            }
+        }
+    }
+
+    /// Visits the boxes that a line meets at a distance of at least `begin` from its point `from` along the unit vector
+    /// `direction`, about in the order in which it meets them. `visit` returns the distance beyond which nothing counts any
+    /// more. Returns how many nodes were looked at. `waiting` is working memory.
+    pub fn along(
+        &self,
+        from: DVec2,
+        direction: DVec2,
+        begin: f64,
+        waiting: &mut Waiting,
+        mut visit: impl FnMut(usize) -> f64,
+    ) -> u64 {
+        let Some(line) = self.line(from, direction, begin) else { return 0 };
+        let (mut end, mut looked_at) = (f32::INFINITY, 0);
+        waiting.clear();
+        waiting.push((0.0, 0));
+        while let Some((entry, content)) = waiting.pop() {
+            if entry > end {
+                continue;
+            }
+            if content & ITEM != 0 {
+                end = line.until(visit((content & !ITEM) as usize));
+            } else if let Some(node) = self.nodes.get(content as usize) {
+                looked_at += 1;
+                node.push_met(&line, end, waiting);
+            }
+        }
+        looked_at
+    }
+
+    /// A line in the tree's units from where it enters the tree; `None` if it misses it.
+    fn line(&self, from: DVec2, direction: DVec2, begin: f64) -> Option<Line> {
+        let pad = f64::from(PAD) / self.scale;
+        let [x, y] = [0, 1].map(|axis| {
+            let (o, d) = (from[axis], no_zero(direction[axis]));
+            let t = [self.bounds.min[axis] - pad, self.bounds.max[axis] + pad].map(|edge| (edge - o) / d);
+            if d < 0.0 { [t[1], t[0]] } else { t }
+        });
+        let (entry, exit) = (x[0].max(y[0]).max(begin), x[1].min(y[1]));
+        // Where rounding on the way to the tree is not small against its boxes, everything counts.
+        let is_far = (from.abs().max_element() + entry.abs()) * 16.0 * f64::EPSILON > 0.25 * pad;
+        if is_far {
+            let everywhere = Line { origin: [0.0; 2], inverse: [0.0; 2], entry: f64::NEG_INFINITY, scale: self.scale };
+            return Some(everywhere);
+        }
+        (entry <= exit).then(|| Line {
+            origin: self.local(from + entry * direction),
+            inverse: [0, 1].map(|axis| no_zero(direction[axis]).recip() as f32),
+            entry,
+            scale: self.scale,
+        })
+    }
+
+    /// Makes the node over `items` and all below it; returns its place.
+    fn node(&mut self, items: &mut [Item], depth: u32) -> u32 {
+        let place = self.nodes.len();
+        self.nodes.push(Node::EMPTY);
+        let mut node = Node::EMPTY;
+        let (low, high) = split(items, depth);
+        let [(a, b), (c, d)] = [low, high].map(|half| split(half, depth));
+        for (slot, part) in [a, b, c, d].into_iter().enumerate() {
+            match part {
+                [] => {}
+                [item] => node.set(slot, item.flat, item.place | ITEM),
+                _ => {
+                    let around = around(part);
+                    node.set(slot, around, self.node(part, depth + 1));
+                }
+            }
+        }
+        self.nodes[place] = node;
+        u32::try_from(place).unwrap_or(NONE)
+    }
+
+    fn flat(&self, bounds: Bounds) -> Flat {
+        let (min, max) = (self.local(bounds.min), self.local(bounds.max));
+        Flat { min, max }
+    }
+
+    /// A point in the tree's units, in single precision.
+    #[expect(clippy::cast_possible_truncation, reason = "PAD holds what is lost")]
+    fn local(&self, p: DVec2) -> [f32; 2] {
+        let scaled = (p - self.bounds.center()) * self.scale;
+        [scaled.x as f32, scaled.y as f32]
+    }
+}
+
+impl Node {
+    const EMPTY: Self = Self { min: [[f32::INFINITY; 4]; 2], max: [[f32::NEG_INFINITY; 4]; 2], content: [NONE; 4] };
+
+    fn set(&mut self, slot: usize, flat: Flat, content: u32) {
+        for axis in 0..2 {
+            self.min[axis][slot] = flat.min[axis] - PAD;
+            self.max[axis][slot] = flat.max[axis] + PAD;
+        }
+        self.content[slot] = content;
+    }
+
+    /// Puts what the line meets before `end` on the list, the nearest last.
+    fn push_met(&self, line: &Line, end: f32, waiting: &mut Waiting) {
+        let (near, far) = line.order(&self.min, &self.max);
+        let t = |edges: &[f32; 4], axis: usize, slot: usize| (edges[slot] - line.origin[axis]) * line.inverse[axis];
+        let entry = from_fn(|slot| larger(larger(t(near[0], 0, slot), t(near[1], 1, slot)), 0.0));
+        let exit = from_fn(|slot| smaller(smaller(t(far[0], 0, slot), t(far[1], 1, slot)), end));
+        let (entry, exit): ([f32; 4], [f32; 4]) = (entry, exit);
+        let first = waiting.len();
+        for slot in 0..4 {
+            if entry[slot] <= exit[slot] && self.content[slot] != NONE {
+                let mut place = waiting.len();
+                waiting.push((entry[slot], self.content[slot]));
+                while place > first && waiting[place - 1].0 < waiting[place].0 {
+                    waiting.swap(place - 1, place);
+                    place -= 1;
+                }
+            }
+        }
+    }
+}
+
+/// A line in the tree's units.
+struct Line {
+    origin: [f32; 2],
+    /// One over the direction's components, no infinity; 0 meets everything.
+    inverse: [f32; 2],
+    /// Distance of `origin` along the line, unscaled.
+    entry: f64,
+    scale: f64,
+}
+
+impl Line {
+    /// A distance in the tree's units from `origin`, rounded up.
+    #[expect(clippy::cast_possible_truncation, reason = "the factor holds what is lost")]
+    fn until(&self, distance: f64) -> f32 {
+        ((distance - self.entry) * self.scale) as f32 * (1.0 + PAD) + PAD
+    }
+
+    /// The edges of boxes that the line meets first, and those that it meets last.
+    fn order<'a>(&self, min: &'a [[f32; 4]; 2], max: &'a [[f32; 4]; 2]) -> ([&'a [f32; 4]; 2], [&'a [f32; 4]; 2]) {
+        let pick = |axis: usize, ahead: bool| if ahead { &max[axis] } else { &min[axis] };
+        let ahead = [0, 1].map(|axis| self.inverse[axis] >= 0.0);
+        ([0, 1].map(|axis| pick(axis, !ahead[axis])), [0, 1].map(|axis| pick(axis, ahead[axis])))
+    }
+}
+
+/// A component of a direction, away from 0 so far that its inverse is no infinity in single precision.
+fn no_zero(component: f64) -> f64 {
+    if component.abs() < 1e-18 { 1e-18_f64.copysign(component) } else { component }
+}
+
+/// The larger of two numbers, in one instruction.
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The smaller of two numbers, in one instruction.
+fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// A box to be put in the tree.
+#[derive(Clone, Copy)]
+struct Item {
+    place: u32,
+    flat: Flat,
+}
+
+/// A box in the tree's units.
+#[derive(Clone, Copy)]
+struct Flat {
+    min: [f32; 2],
+    max: [f32; 2],
+}
+
+impl Flat {
+    const EMPTY: Self = Self { min: [f32::INFINITY; 2], max: [f32::NEG_INFINITY; 2] };
+
+    fn union(self, other: Self) -> Self {
+        Self {
+            min: [0, 1].map(|axis| self.min[axis].min(other.min[axis])),
+            max: [0, 1].map(|axis| self.max[axis].max(other.max[axis])),
+        }
+    }
+
+    /// Half the circumference: the chance that a line meets the box.
+    fn girth(self) -> f32 {
+        (self.max[0] - self.min[0]).max(0.0) + (self.max[1] - self.min[1]).max(0.0)
+    }
+
+    /// Twice the center.
+    fn center(self, axis: usize) -> f32 {
+        self.min[axis] + self.max[axis]
+    }
+}
+
+fn around(items: &[Item]) -> Flat {
+    items.iter().fold(Flat::EMPTY, |all, item| all.union(item.flat))
+}
+
+/// Parts items where lines meet the fewest boxes, along the axis on which their centers spread most; in halves where that
+/// would leave all on one side.
+fn split(items: &mut [Item], depth: u32) -> (&mut [Item], &mut [Item]) {
+    if items.len() < 2 {
+        return items.split_at_mut(items.len());
+    }
+    let centers = items.iter().fold(Flat::EMPTY, |all, item| {
+        let center = [0, 1].map(|axis| item.flat.center(axis));
+        all.union(Flat { min: center, max: center })
+    });
+    let spread = [0, 1].map(|axis| centers.max[axis] - centers.min[axis]);
+    let axis = usize::from(spread[1] > spread[0]);
+    let middle = items.len() / 2;
+    if items.len() <= 4 || depth > DEEP || spread[axis] <= 0.0 {
+        items.select_nth_unstable_by(middle, |a, b| a.flat.center(axis).total_cmp(&b.flat.center(axis)));
+        return items.split_at_mut(middle);
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a small number")]
+    let per_bin = BINS as f32 / spread[axis];
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 0 and clamped")]
+    let bin = |item: &Item| (((item.flat.center(axis) - centers.min[axis]) * per_bin) as usize).min(BINS - 1);
+    let cut = best_cut(items, bin);
+    let mut low = 0;
+    for k in 0..items.len() {
+        if bin(&items[k]) < cut {
+            items.swap(low, k);
+            low += 1;
+        }
+    }
+    items.split_at_mut(if low == 0 || low == items.len() { middle } else { low })
+}
+
+/// The bin before which to cut.
+fn best_cut(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
+    let mut bins = [(0_u32, Flat::EMPTY); BINS];
+    for item in items {
+        let (count, flat) = &mut bins[bin(item)];
+        *count += 1;
+        *flat = flat.union(item.flat);
+    }
+    let add = |(count, flat): &mut (u32, Flat), &(more, other): &(u32, Flat)| {
+        *count += more;
+        *flat = flat.union(other);
+        Some((*count, *flat))
+    };
+    let below: Vec<_> = bins.iter().scan((0, Flat::EMPTY), add).collect();
+    let mut above: Vec<_> = bins.iter().rev().scan((0, Flat::EMPTY), add).collect();
+    above.reverse();
+    #[expect(clippy::cast_precision_loss, reason = "an estimate")]
+    let cost = |(count, flat): (u32, Flat)| count as f32 * flat.girth();
+    let total = |cut: &usize| cost(below[cut - 1]) + cost(above[*cut]);
+    (1..BINS).min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Boxes of very different sizes, some of no width, by a multiplicative sequence.
+    fn boxes(count: u32, shift: DVec2) -> Vec<Bounds> {
+        let unit = |k: u32| f64::from(k.wrapping_mul(2_654_435_769) >> 8) / 16_777_216.0;
+        let one = |k: u32| {
+            let min = DVec2::new(unit(4 * k), unit(4 * k + 1));
+            let size = DVec2::new(unit(4 * k + 2), unit(4 * k + 3)).powf(6.0);
+            Bounds::of([min + shift, min + shift + if k % 5 == 0 { DVec2::new(size.x, 0.0) } else { size }])
+        };
+        (0..count).map(one).collect()
+    }
+
+    /// Whether a line meets a box at a distance of at least `begin`, by its corners and ends.
+    fn meets(bounds: Bounds, from: DVec2, direction: DVec2, begin: f64) -> bool {
+        let corners =
+            [bounds.min, DVec2::new(bounds.max.x, bounds.min.y), bounds.max, DVec2::new(bounds.min.x, bounds.max.y)];
+        let sides = corners.map(|p| direction.perp_dot(p - from));
+        let crosses = sides.iter().any(|side| *side <= 0.0) && sides.iter().any(|side| *side >= 0.0);
+        crosses && (bounds.contains(from) || corners.iter().any(|p| (*p - from).dot(direction) >= begin))
+    }
+
+    #[test]
+    fn a_line_finds_every_box_that_it_meets() {
+        for (count, shift) in [(0, DVec2::ZERO), (1, DVec2::X), (7, DVec2::ZERO), (500, DVec2::splat(-3e4))] {
+            let boxes = boxes(count, shift);
+            let tree = BoxTree::new(&boxes);
+            for k in 0..64 {
+                let angle = f64::from(k) * 360.0 / 64.0;
+                let direction = crate::numerics::Turn::degrees(angle).direction();
+                for (away, begin) in [(0.1, 0.0), (3.0, 0.0), (3.0, f64::NEG_INFINITY), (1e13, f64::NEG_INFINITY)] {
+                    let from = shift + DVec2::splat(0.5) - away * direction;
+                    let mut found = vec![false; boxes.len()];
+                    tree.along(from, direction, begin, &mut Waiting::new(), |place| {
+                        found[place] = true;
+                        f64::INFINITY
+                    });
+                    for (place, one) in boxes.iter().enumerate() {
+                        assert!(found[place] || !meets(*one, from, direction, begin), "{place} of {count} at {angle}°");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_box_finds_every_box_that_it_meets_and_few_others() {
+        let boxes = boxes(500, DVec2::ZERO);
+        let tree = BoxTree::new(&boxes);
+        for one in &boxes {
+            let mut found = vec![false; boxes.len()];
+            tree.meeting(*one, |place| found[place] = true);
+            let met = boxes.iter().filter(|other| one.meets(**other)).count();
+            assert!(boxes.iter().zip(&found).all(|(other, found)| *found || !one.meets(*other)));
+            assert!(found.iter().filter(|found| **found).count() <= met + 2);
+        }
+    }
+
+    #[test]
+    fn what_ends_a_search_spares_the_rest() {
+        let row: Vec<_> =
+            (0..4096).map(|k| Bounds::of([DVec2::new(f64::from(k), -1.0), DVec2::new(f64::from(k), 1.0)])).collect();
+        let tree = BoxTree::new(&row);
+        let mut first = None;
+        let looked_at = tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, &mut Waiting::new(), |place| {
+            first.get_or_insert(place);
+            f64::from(u32::try_from(place).unwrap()) + 1.0
+        });
+        assert_eq!(first, Some(0));
+        assert!(looked_at <= 20, "{looked_at} nodes");
+    }
+}
