@@ -2,6 +2,7 @@
 //! and the medium on each side of every boundary settled once.
 
 mod arrangement;
+mod cells;
 mod gaps;
 mod interfaces;
 mod intersect;
@@ -17,10 +18,13 @@ use crate::compile::gaps::{Gap, gaps};
 use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
 use crate::compile::region::Region;
 use crate::compile::sources::{Ground, rays};
-use crate::geometry::{Bounds, Curve, Placement};
+use crate::geometry::{Bounds, BoxTree, Curve, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
 use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody, rounding};
+
+/// So many interfaces are looked at one by one faster than a search finds them.
+const FEW: usize = 16;
 
 /// A compiled scene and what is suspicious about it.
 #[derive(Clone, Debug)]
@@ -64,8 +68,13 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
     let warnings = gaps(&interfaces, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
+    let boxes: Vec<_> = interfaces.iter().map(|one| Bounds::from(&one.curve).grown(2.0 * near)).collect();
+    let tree = BoxTree::new(&boxes);
     let system = OpticalSystem {
         origin,
+        near,
+        cells: cells::cells(&interfaces, &boxes, &tree),
+        tree: (interfaces.len() > FEW).then_some(tree),
         dropped: walls.len() - interfaces.len(),
         media: media.list,
         surroundings,

@@ -34,7 +34,7 @@ impl Region {
 }
 
 /// Whether a ray from `p` towards +x crosses the curve an odd number of times.
-fn crosses(curve: &Curve, p: DVec2) -> bool {
+pub(crate) fn crosses(curve: &Curve, p: DVec2) -> bool {
     let Curve { a, b, curvature, .. } = *curve;
     let turn = side(a, b, p);
     let passes = (a.y > p.y) != (b.y > p.y) && (turn > 0.0) == (b.y > a.y);
@@ -46,8 +46,12 @@ fn crosses(curve: &Curve, p: DVec2) -> bool {
 
 /// Whether a closed outline runs counter-clockwise, by its signed area.
 fn turns_left(curves: &[Curve], about: DVec2) -> bool {
-    let area = |curve: &Curve| 0.5 * cross(curve.a - about, curve.b - about) + curve.segment_area();
-    curves.iter().map(area).sum::<f64>() > 0.0
+    curves.iter().map(|curve| signed_area(curve, about)).sum::<f64>() > 0.0
+}
+
+/// Area that a curve sweeps about a point, positive counter-clockwise.
+pub(crate) fn signed_area(curve: &Curve, about: DVec2) -> f64 {
+    0.5 * cross(curve.a - about, curve.b - about) + curve.segment_area()
 }
 
 #[cfg(test)]

@@ -124,7 +124,7 @@ impl BoxTree {
         }
         (entry <= exit).then(|| Line {
             origin: self.local(from + entry * direction),
-            inverse: [0, 1].map(|axis| no_zero(direction[axis]).recip() as f32),
+            inverse: [0, 1].map(|axis| inverse(direction[axis])),
             entry,
             scale: self.scale,
         })
@@ -219,6 +219,12 @@ impl Line {
         let ahead = [0, 1].map(|axis| self.inverse[axis] >= 0.0);
         ([0, 1].map(|axis| pick(axis, !ahead[axis])), [0, 1].map(|axis| pick(axis, ahead[axis])))
     }
+}
+
+/// One over a component of a direction, in single precision and no infinity.
+#[expect(clippy::cast_possible_truncation, reason = "PAD holds what is lost")]
+fn inverse(component: f64) -> f32 {
+    no_zero(component).recip() as f32
 }
 
 /// A component of a direction, away from 0 so far that its inverse is no infinity in single precision.

@@ -31,6 +31,7 @@ pub struct Fresnel {
 /// # Source
 /// Hecht, "Optics", 4th ed., section 4.6.2 (amplitudes) and 4.6.3 (reflectance and transmittance);
 /// Born & Wolf, "Principles of Optics", 7th ed., sections 1.5.2 and 1.5.3.
+#[inline]
 #[must_use]
 pub fn fresnel(n_i: f64, n_t: f64, cos_i: f64, sin_i: f64, cos_t: f64, sin_t: f64) -> Fresnel {
     let contrast = (n_i - n_t) * (n_i + n_t);

@@ -25,6 +25,7 @@ impl Incidence {
     ///
     /// Both are relatively accurate, the sine down to normal incidence and the cosine down to grazing, where they are the
     /// difference of nearly equal products.
+    #[inline]
     #[must_use]
     pub fn new(v: DVec2, n: DVec2) -> Self {
         Self { cos: (-dot(v, n)).clamp(0.0, 1.0), sin: cross(v, n).clamp(-1.0, 1.0), tangent: -n.perp() }

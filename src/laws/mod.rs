@@ -38,13 +38,16 @@ pub use incidence::Incidence;
 pub use index::{IndexError, SPEED_OF_LIGHT, check_index, index_from_speed, relative_index};
 pub use optical_path::optical_path_length;
 pub use reflection::reflect;
+pub(crate) use reflection::reflect_at;
 pub use secondary_rays::Shares;
+pub(crate) use snell::refract_at;
 pub use snell::{Refraction, refract, refract_vector_form};
 pub use thin_lens::thin_lens;
 
 use glam::DVec2;
 
 /// One Newton step for 1/√x at x ≈ 1: takes the rounding out of a length that is 1 but for a few ulp.
+#[inline]
 fn renormalized(d: DVec2) -> DVec2 {
     d * (1.5 - 0.5 * d.length_squared())
 }

@@ -12,10 +12,16 @@ use super::{Incidence, renormalized};
 /// # Source
 /// Hecht, "Optics", 4th ed., section 4.3.1; vector form: Glassner, "Surface Physics for Ray Tracing", in "An
 /// Introduction to Ray Tracing", 1989, chapter 4.
+#[inline]
 #[must_use]
 pub fn reflect(v: DVec2, n: DVec2) -> DVec2 {
-    let Incidence { cos, sin, tangent } = Incidence::new(v, n);
-    renormalized(sin * tangent + cos * n)
+    reflect_at(&Incidence::new(v, n), n)
+}
+
+/// The same for an incidence that is known.
+#[inline]
+pub(crate) fn reflect_at(incidence: &Incidence, n: DVec2) -> DVec2 {
+    renormalized(incidence.sin * incidence.tangent + incidence.cos * n)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::{Incidence, relative_index, renormalized};
-use crate::numerics::{cross_parts, excess_length};
+use crate::numerics::{cross_parts, excess_length, product_parts};
 
 /// What the boundary lets through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,9 +78,16 @@ impl Refraction {
 /// # Source
 /// Hecht, "Optics", 4th ed., section 4.4.1; Born & Wolf, "Principles of Optics", 7th ed., section 1.5.1; total internal
 /// reflection: Hecht section 4.7, Born & Wolf section 1.5.4.
+#[inline]
 #[must_use]
 pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
-    let Incidence { cos: cos_i, sin: sin_i, tangent } = Incidence::new(v, n);
+    refract_at(&Incidence::new(v, n), v, n, n_i, n_t)
+}
+
+/// The same for an incidence that is known.
+#[inline]
+pub(crate) fn refract_at(incidence: &Incidence, v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
+    let Incidence { cos: cos_i, sin: sin_i, tangent } = *incidence;
     // The same medium on both sides: no boundary at all.
     #[expect(clippy::float_cmp, reason = "only the very same index is no boundary")]
     if n_i == n_t {
@@ -100,11 +107,12 @@ pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
 
 /// k = n_i sin θ_i, signed as the sine, and what |k| still lacks: the cross product of `v` and `n` with what rounding took
 /// from it, over their lengths. With |v|² |n|² = 1 + e that divides by 1 + e/2 − e²/8.
+#[inline]
 fn along_boundary(v: DVec2, n: DVec2, n_i: f64) -> (f64, f64) {
     let (sine, sine_rest) = cross_parts(v, n);
     let e = excess_length(v) + excess_length(n);
-    let k = n_i * sine;
-    let rest = n_i.mul_add(sine, -k) + n_i * sine_rest - k * (0.5 * e - 0.375 * e * e);
+    let (k, k_rest) = product_parts(n_i, sine);
+    let rest = k_rest + n_i * sine_rest - k * (0.5 * e - 0.375 * e * e);
     // The nearest number first, so that k alone is good to one rounding.
     let nearest = k + rest;
     (nearest, (rest - (nearest - k)) * sine.signum())

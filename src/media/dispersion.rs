@@ -79,6 +79,12 @@ impl Dispersion {
         self.range_nm
     }
 
+    /// Whether the index changes with the wavelength.
+    #[must_use]
+    pub fn is_dispersive(&self) -> bool {
+        !matches!(self.formula, Formula::Constant(_))
+    }
+
     /// The index at a vacuum wavelength, at least 1 wherever [`check`](Self::check) passes; elsewhere what the formula
     /// gives, be it NaN.
     #[must_use]

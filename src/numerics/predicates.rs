@@ -3,6 +3,8 @@
 use glam::DVec2;
 use robust::{Coord, orient2d};
 
+use crate::numerics::product_parts;
+
 /// Side of the line through `from` along `direction` on which `p` lies, its sign exact barring underflow: positive left,
 /// negative right, 0 on the line.
 ///
@@ -15,8 +17,8 @@ pub fn side_of_ray(from: DVec2, direction: DVec2, p: DVec2) -> f64 {
     let products = [(d.x, p.y), (-d.x, f.y), (-d.y, p.x), (d.y, f.x)];
     let mut sum = [0.0; 8];
     for (k, (a, b)) in products.into_iter().enumerate() {
-        let product = a * b;
-        grow(&mut sum[..=2 * k], a.mul_add(b, -product));
+        let (product, rest) = product_parts(a, b);
+        grow(&mut sum[..=2 * k], rest);
         grow(&mut sum[..=2 * k + 1], product);
     }
     // The largest component of a sum without overlap has its sign.

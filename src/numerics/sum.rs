@@ -19,6 +19,12 @@ impl Sum {
         self.total = total;
     }
 
+    /// Adds the terms of another sum.
+    pub fn add_sum(&mut self, other: Self) {
+        self.add(other.total);
+        self.lost += other.lost;
+    }
+
     /// The sum of the terms so far; 0 for none.
     #[must_use]
     pub fn value(self) -> f64 {

@@ -5,9 +5,10 @@ use glam::DVec2;
 use crate::light::{Power, Wavelength};
 use crate::numerics::Sum;
 use crate::scene::TraceSettings;
-use crate::system::{MediumId, OpticalSystem, PlacedBody};
+use crate::system::{Cells, MediumId, OpticalSystem, PlacedBody};
 use crate::trace::{
     Ending, Hit, PowerBalance, RayTree, ScreenHit, ScreenRecord, Segment, SegmentId, Summary, Trace, TracedRay, Via,
+    Work,
 };
 
 /// The trace and a system with the names of its bodies.
@@ -16,6 +17,9 @@ pub(super) fn turn_in_a_prism() -> (OpticalSystem, Trace) {
     let system = OpticalSystem {
         origin: DVec2::ZERO,
         interfaces: Vec::new(),
+        near: 0.0,
+        tree: None,
+        cells: Cells::default(),
         dropped: 0,
         screens: vec![1],
         media: Vec::new(),
@@ -137,6 +141,7 @@ fn summary() -> Summary {
     let hit =
         ScreenHit { source: 0, ray: 0, wavelength: Wavelength::D, segment: SegmentId(2), position: 12.5, power: 0.96 };
     Summary {
+        work: Work::default(),
         rays: 1,
         segments: 4,
         balance: PowerBalance {

@@ -1,14 +1,17 @@
 //! The compiled scene: boundaries with a medium on each side, no names, units or overlaps left to resolve.
 
+mod cells;
 mod interface;
 mod placed;
 
+pub(crate) use cells::Cells;
 pub(crate) use interface::rounding;
 pub use interface::{Action, Interface, MediumId, VertexId};
 pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
 use glam::DVec2;
 
+use crate::geometry::{Bounds, BoxTree};
 use crate::light::Wavelength;
 use crate::media::Dispersion;
 use crate::scene::TraceSettings;
@@ -21,6 +24,11 @@ use crate::scene::TraceSettings;
 pub struct OpticalSystem {
     pub(crate) origin: DVec2,
     pub(crate) interfaces: Vec<Interface>,
+    /// Distances below this are rounding.
+    pub(crate) near: f64,
+    /// Finds interfaces; `None` where they are so few that it is not worth it.
+    pub(crate) tree: Option<BoxTree>,
+    pub(crate) cells: Cells,
     pub(crate) media: Vec<Dispersion>,
     pub(crate) surroundings: MediumId,
     pub(crate) bodies: Vec<PlacedBody>,
@@ -73,6 +81,14 @@ impl OpticalSystem {
     #[must_use]
     pub fn dropped_boundaries(&self) -> usize {
         self.dropped
+    }
+
+    /// Visits at least every interface that passes through or ends at a point, relative to the origin.
+    pub(crate) fn near_point(&self, p: DVec2, visit: impl FnMut(usize)) {
+        match &self.tree {
+            Some(tree) => tree.meeting(Bounds::of([p]), visit),
+            None => (0..self.interfaces.len()).for_each(visit),
+        }
     }
 
     /// Refractive index of a medium at a vacuum wavelength, at least 1.

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::laws::{Incidence, Refraction, Shares, fresnel, reflect, refract, thin_lens};
+use crate::laws::{Incidence, Refraction, Shares, fresnel, reflect_at, refract_at, thin_lens};
 use crate::scene::SecondaryRays;
 use crate::system::{Action, Interface};
 use crate::trace::{Hit, Via};
@@ -16,6 +16,8 @@ pub(crate) struct Arrival<'a> {
     pub(crate) direction: DVec2,
     /// Unit normal N on the ray's side.
     pub(crate) normal: DVec2,
+    /// V taken apart along N.
+    pub(crate) incidence: Incidence,
     /// Index of the incident medium.
     pub(crate) n_i: f64,
     /// Index of the medium behind.
@@ -53,8 +55,9 @@ impl Arrival<'_> {
     /// past the critical angle.
     fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
         let hit = |shares| Hit { n_t: Some(self.n_t), ..self.hit(shares) };
-        let reflected = reflect(self.direction, self.normal);
-        let (direction, refracted) = match refract(self.direction, self.normal, self.n_i, self.n_t) {
+        let reflected = reflect_at(&self.incidence, self.normal);
+        let (direction, refracted) = match refract_at(&self.incidence, self.direction, self.normal, self.n_i, self.n_t)
+        {
             Refraction::Refracted { direction, cos_i, sin_i, cos_t, sin_t } => {
                 (direction, Refracted { n_i: self.n_i, n_t: self.n_t, cos_i, sin_i, cos_t, sin_t })
             }
@@ -74,7 +77,7 @@ impl Arrival<'_> {
     }
 
     fn mirror(&self) -> Outcome {
-        let reflected = Some((Via::Reflection, reflect(self.direction, self.normal)));
+        let reflected = Some((Via::Reflection, reflect_at(&self.incidence, self.normal)));
         Outcome { hit: self.hit(Shares::total_reflection()), transmitted: None, reflected }
     }
 
@@ -90,7 +93,7 @@ impl Arrival<'_> {
     }
 
     fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
-        let tangent = Incidence::new(self.direction, self.normal).tangent;
+        let tangent = self.incidence.tangent;
         let height = (self.at - center).dot(tangent);
         let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
         let hit = Hit {
@@ -104,7 +107,7 @@ impl Arrival<'_> {
 
     /// The hit with its shares, but without what only some interfaces have.
     fn hit(&self, shares: Shares) -> Hit {
-        let Incidence { cos: cos_i, sin: sin_i, .. } = Incidence::new(self.direction, self.normal);
+        let Incidence { cos: cos_i, sin: sin_i, .. } = self.incidence;
         Hit {
             body: self.interface.body,
             normal: self.normal,

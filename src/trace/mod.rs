@@ -1,20 +1,26 @@
 //! From a compiled system to the ray tree: every ray followed through every hit, with a closed set of endings.
 
+mod collect;
 mod corner;
 mod hit;
 mod nearest;
+mod probe;
 mod segment;
 mod summary;
 mod tracer;
+mod work;
 
 #[cfg(test)]
 mod tests;
 
+pub use collect::visit;
+pub use nearest::{Crossing, Ray, Search};
 pub use segment::{Ending, Hit, RayTree, Segment, SegmentId, TracedRay, Via};
 pub use summary::{PowerBalance, ScreenHit, ScreenRecord, Summary};
-pub use tracer::{Visitor, visit};
+pub use work::Work;
 
 use crate::system::OpticalSystem;
+use crate::trace::collect::collect;
 
 /// A whole trace: the ray tree and what became of the light.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,36 +31,49 @@ pub struct Trace {
     pub summary: Summary,
 }
 
-/// Traces every ray of a system and keeps the tree.
+/// Receives the segments of a trace: rays in the order of sources, rays and lines, and each ray's segments depth-first,
+/// transmitted before reflected. `ray` carries no segments.
+pub trait Visitor {
+    /// One segment, followed or cut.
+    fn segment(&mut self, ray: &TracedRay, segment: Segment);
+}
+
+/// Traces every ray of a system and keeps the tree. Rays are traced on all processors; the result does not depend on how many
+/// there are.
 #[must_use]
 pub fn trace(system: &OpticalSystem) -> Trace {
-    let mut trace = Trace { tree: RayTree::default(), summary: Summary::new(system) };
-    visit(system, &mut trace);
-    trace
+    trace_watched(system, &|_| {})
+}
+
+/// [`trace`], telling `progress` now and then how many more segments there are; from any thread.
+#[must_use]
+pub fn trace_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)) -> Trace {
+    let mut tree = RayTree::default();
+    let summary = gather(system, Some(&mut tree), progress);
+    Trace { tree, summary }
 }
 
 /// Traces every ray of a system and keeps no tree: memory for the depth of the tree, not for its size.
 #[must_use]
 pub fn summarize(system: &OpticalSystem) -> Summary {
+    summarize_watched(system, &|_| {})
+}
+
+/// [`summarize`], telling `progress` now and then how many more segments there are; from any thread.
+#[must_use]
+pub fn summarize_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)) -> Summary {
+    gather(system, None, progress)
+}
+
+fn gather(system: &OpticalSystem, mut tree: Option<&mut RayTree>, progress: &(dyn Fn(u64) + Sync)) -> Summary {
     let mut summary = Summary::new(system);
-    visit(system, &mut summary);
+    collect(system, tree.is_some(), progress, |part| {
+        summary.rays += 1;
+        summary.work.add(&part.work);
+        summary.add(part.summary);
+        if let Some(tree) = &mut tree {
+            tree.rays.push(part.ray);
+        }
+    });
     summary
-}
-
-impl Visitor for Trace {
-    fn segment(&mut self, ray: &TracedRay, segment: Segment) {
-        self.tree.segment(ray, segment);
-        self.summary.segment(ray, segment);
-    }
-}
-
-impl Visitor for RayTree {
-    fn segment(&mut self, ray: &TracedRay, segment: Segment) {
-        if segment.parent.is_none() {
-            self.rays.push(ray.clone());
-        }
-        if let Some(last) = self.rays.last_mut() {
-            last.segments.push(segment);
-        }
-    }
 }

@@ -1,7 +1,7 @@
 use crate::light::Wavelength;
 use crate::numerics::Sum;
 use crate::system::OpticalSystem;
-use crate::trace::{Ending, Segment, SegmentId, TracedRay, Visitor};
+use crate::trace::{Ending, Segment, SegmentId, TracedRay, Visitor, Work};
 
 /// What became of all the light: counts, powers and screens, without the tree.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,6 +14,17 @@ pub struct Summary {
     pub balance: PowerBalance,
     /// Every screen in the bodies' order, hit or not.
     pub screens: Vec<ScreenRecord>,
+    /// What the trace took.
+    pub work: Work,
+}
+
+/// What became of the light of one ray at one line.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct RaySummary {
+    pub(crate) segments: u64,
+    balance: PowerBalance,
+    /// What landed on screens, by body.
+    pub(crate) landed: Vec<(usize, ScreenHit)>,
 }
 
 /// Where the power of the sources went, in their unit.
@@ -63,11 +74,25 @@ pub struct ScreenHit {
 
 impl Visitor for Summary {
     fn segment(&mut self, ray: &TracedRay, segment: Segment) {
-        self.count(ray, &segment);
+        let mut one = RaySummary::default();
+        one.count(ray, &segment);
+        self.rays += u64::from(segment.parent.is_none());
+        self.add(one);
     }
 }
 
 impl PowerBalance {
+    /// Adds another balance.
+    fn add(&mut self, other: &Self) {
+        self.emitted.add_sum(other.emitted);
+        self.escaped.add_sum(other.escaped);
+        self.absorbed.add_sum(other.absorbed);
+        self.detected.add_sum(other.detected);
+        self.cut_min_power.add_sum(other.cut_min_power);
+        self.cut_max_depth.add_sum(other.cut_max_depth);
+        self.cut_max_segments.add_sum(other.cut_max_segments);
+    }
+
     /// Emitted power less all the others: 0 up to rounding.
     #[must_use]
     pub fn residual(&self) -> f64 {
@@ -89,11 +114,23 @@ impl Summary {
         Self { screens, ..Self::default() }
     }
 
-    fn count(&mut self, ray: &TracedRay, segment: &Segment) {
+    /// Adds what became of one ray.
+    pub(crate) fn add(&mut self, ray: RaySummary) {
+        self.segments += ray.segments;
+        self.balance.add(&ray.balance);
+        for (body, hit) in ray.landed {
+            if let Some(screen) = self.screens.iter_mut().find(|screen| screen.body == body) {
+                screen.hits.push(hit);
+            }
+        }
+    }
+}
+
+impl RaySummary {
+    pub(crate) fn count(&mut self, ray: &TracedRay, segment: &Segment) {
         self.segments += 1;
         let power = segment.power.total();
         if segment.parent.is_none() {
-            self.rays += 1;
             self.balance.emitted.add(power);
         }
         match segment.ending {
@@ -112,14 +149,8 @@ impl Summary {
     fn detect(&mut self, ray: &TracedRay, segment: &Segment, power: f64) {
         self.balance.detected.add(power);
         let Some(hit) = segment.hit else { return };
-        let Some(screen) = self.screens.iter_mut().find(|screen| screen.body == hit.body) else { return };
-        screen.hits.push(ScreenHit {
-            source: ray.source,
-            ray: ray.ray,
-            wavelength: ray.wavelength,
-            segment: segment.id,
-            position: hit.position.unwrap_or(0.0),
-            power,
-        });
+        let &TracedRay { source, ray, wavelength, .. } = ray;
+        let position = hit.position.unwrap_or(0.0);
+        self.landed.push((hit.body, ScreenHit { source, ray, wavelength, segment: segment.id, position, power }));
     }
 }

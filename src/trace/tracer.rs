@@ -1,42 +1,15 @@
-//! The tracer: a work queue of branches, each followed to its next interface. It hands every segment to a visitor and
-//! keeps none, so that its memory grows with the depth of the tree and not with its size.
+//! The tracer: a work queue of branches, each followed to its next interface. It hands every segment on and keeps none, so
+//! that its memory grows with the depth of the tree and not with its size.
 
 use glam::DVec2;
 
-use crate::laws::optical_path_length;
+use crate::laws::{Incidence, optical_path_length};
 use crate::light::Power;
-use crate::scene::TraceSettings;
-use crate::system::{MediumId, OpticalSystem, RayStart, Start, rounding};
+use crate::scene::{SecondaryRays, TraceSettings};
+use crate::system::{Action, MediumId, OpticalSystem, RayStart, Start};
 use crate::trace::hit::{Arrival, Outcome, Secondary};
-use crate::trace::nearest::{Crossing, Ray, beyond, nearest};
-use crate::trace::{Ending, Segment, SegmentId, TracedRay, Via};
-
-/// Receives the segments of a trace: rays in the order of sources, rays and lines, and each ray's segments depth-first,
-/// transmitted before reflected. `ray` carries no segments.
-pub trait Visitor {
-    /// One segment, followed or cut.
-    fn segment(&mut self, ray: &TracedRay, segment: Segment);
-}
-
-/// Follows every ray of the system through every hit.
-pub fn visit(system: &OpticalSystem, visitor: &mut impl Visitor) {
-    let mut tracer = Tracer::new(system);
-    for (number, source) in system.sources.iter().enumerate() {
-        for (ray, start) in source.starts.iter().enumerate() {
-            for &wavelength in &source.lines {
-                let traced = TracedRay {
-                    source: number,
-                    ray,
-                    wavelength,
-                    power: source.power.total(),
-                    one_of_several_lines: source.lines.len() > 1,
-                    segments: Vec::new(),
-                };
-                tracer.follow(&traced, start, source.power, visitor);
-            }
-        }
-    }
-}
+use crate::trace::nearest::beyond;
+use crate::trace::{Crossing, Ending, Ray, Search, Segment, SegmentId, Via, Work};
 
 /// A branch that waits to be followed; positions relative to the system's origin.
 struct Branch {
@@ -48,33 +21,46 @@ struct Branch {
     hits_behind: u32,
 }
 
-struct Tracer<'a> {
+/// Follows rays, one after the other.
+pub(crate) struct Tracer<'a> {
     system: &'a OpticalSystem,
     settings: TraceSettings,
-    /// Distances below this are rounding.
-    near: f64,
-    segments_left: u64,
+    search: Search<'a>,
     waiting: Vec<Branch>,
     /// Index of every medium at the line being followed.
-    indices: Vec<f64>,
+    indices: &'a [f64],
+    /// How many segments may still be followed.
+    segments_left: u64,
+    work: Work,
 }
 
 impl<'a> Tracer<'a> {
-    fn new(system: &'a OpticalSystem) -> Self {
+    pub(crate) fn new(system: &'a OpticalSystem) -> Self {
         Self {
             system,
             settings: system.settings,
-            near: rounding(&system.interfaces, system.origin),
-            segments_left: system.settings.max_segments,
+            search: Search::new(system),
             waiting: Vec::new(),
-            indices: Vec::new(),
+            indices: &[],
+            segments_left: 0,
+            work: Work::default(),
         }
     }
 
-    fn follow(&mut self, traced: &TracedRay, start: &RayStart, power: Power, visitor: &mut impl Visitor) {
-        self.indices.clear();
-        self.indices.extend(self.system.media.iter().map(|medium| medium.index(traced.wavelength)));
+    /// Follows a ray at a line to the end of all its branches, at most `most` segments, transmitted before reflected. `indices`
+    /// holds the index of every medium at that line. Returns what that took.
+    pub(crate) fn follow(
+        &mut self,
+        start: &RayStart,
+        power: Power,
+        indices: &'a [f64],
+        most: u64,
+        mut visit: impl FnMut(&Segment),
+    ) -> Work {
+        self.indices = indices;
+        self.segments_left = most;
         let RayStart { from, direction, medium, start } = *start;
+        self.meet_medium(medium);
         self.waiting.push(Branch {
             parent: None,
             via: Via::Source,
@@ -83,12 +69,17 @@ impl<'a> Tracer<'a> {
             optical_path: 0.0,
             hits_behind: 0,
         });
+        let started_with = power.total();
         let mut next = 0;
         while let Some(branch) = self.waiting.pop() {
-            let id = SegmentId(next);
+            let segment = self.segment(SegmentId(next), branch, started_with);
             next += 1;
-            visitor.segment(traced, self.segment(id, branch, traced.power));
+            self.work.ended[segment.ending as usize] += 1;
+            visit(&segment);
         }
+        self.work.followed = most - self.segments_left;
+        self.work.nodes = std::mem::take(&mut self.search.nodes);
+        std::mem::take(&mut self.work)
     }
 
     /// Follows one branch to its end and queues what it spawns, the reflected ray first so that the transmitted one is
@@ -98,7 +89,7 @@ impl<'a> Tracer<'a> {
         let mut crossing = None;
         if ending.is_none() {
             self.segments_left -= 1;
-            crossing = nearest(self.system, self.near, &branch.ray);
+            crossing = self.search.nearest(&branch.ray);
             let is_outside = branch.ray.medium == self.system.surroundings;
             if branch.parent.is_none() && crossing.is_none() && !is_outside {
                 (branch.ray.medium, crossing) = self.meet_beyond(&branch.ray);
@@ -122,11 +113,12 @@ impl<'a> Tracer<'a> {
 
     /// The medium that a source's ray runs in whose line misses the one it was found in, and what it meets there. Such a ray
     /// starts beside a boundary up to rounding: it runs in what lies beyond the nearest one, or else in the surroundings.
-    fn meet_beyond(&self, ray: &Ray) -> (MediumId, Option<Crossing>) {
+    fn meet_beyond(&mut self, ray: &Ray) -> (MediumId, Option<Crossing>) {
         let outside = self.system.surroundings;
-        let meet = |medium| Some((medium, Some(nearest(self.system, self.near, &Ray { medium, ..*ray })?)));
         let media = [beyond(&self.system.interfaces, ray), outside];
-        media.into_iter().find_map(meet).unwrap_or((outside, None))
+        media.iter().for_each(|medium| self.meet_medium(*medium));
+        let mut meet = |medium: MediumId| Some((medium, Some(self.search.nearest(&Ray { medium, ..*ray })?)));
+        media.into_iter().find_map(&mut meet).unwrap_or((outside, None))
     }
 
     fn cut(&self, branch: &Branch, started_with: f64) -> Option<Ending> {
@@ -143,6 +135,11 @@ impl<'a> Tracer<'a> {
         self.indices[medium.place()]
     }
 
+    /// Takes note of a medium whose index the light depends on.
+    fn meet_medium(&mut self, medium: MediumId) {
+        self.work.disperses |= self.system.media[medium.place()].is_dispersive();
+    }
+
     fn arrive(&mut self, branch: &Branch, crossing: &Crossing, segment: Segment) -> Segment {
         let interface = &self.system.interfaces[crossing.interface];
         let Branch { ray, power, .. } = branch;
@@ -151,10 +148,14 @@ impl<'a> Tracer<'a> {
         let left_normal = interface.curve.normal_at(at);
         let (normal, behind) =
             if crossing.from_left { (left_normal, interface.right) } else { (-left_normal, interface.left) };
+        self.meet_medium(behind);
         let (n_i, n_t) = (self.index(ray.medium), self.index(behind));
+        let incidence = Incidence::new(ray.direction, normal);
         let Outcome { hit, transmitted, reflected } =
-            Arrival { interface, at, direction: ray.direction, normal, n_i, n_t, near: self.near }
+            Arrival { interface, at, direction: ray.direction, normal, incidence, n_i, n_t, near: self.system.near }
                 .outcome(self.settings.secondary_rays);
+        let by_fresnel = interface.action == Action::Refract && self.settings.secondary_rays == SecondaryRays::Fresnel;
+        self.work.fresnel += u64::from(by_fresnel && transmitted.is_some());
         let optical_path = branch.optical_path + optical_path_length(n_i, ray.from.distance(at));
         let mut spawn = |secondary: Option<Secondary>, share: Power, medium: MediumId, left: bool| {
             let power = power.times(share);

@@ -1,0 +1,25 @@
+use crate::system::Start;
+
+/// Stretches of one medium that only a few interfaces enclose, with what encloses each: all that a ray inside can meet.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Cells {
+    /// The cell on the left and on the right of each interface; [`Cells::OPEN`] for none.
+    pub(crate) of_sides: Vec<[u32; 2]>,
+    /// Where each cell's interfaces begin in `walls`; one entry more than cells.
+    pub(crate) begins: Vec<u32>,
+    pub(crate) walls: Vec<u32>,
+}
+
+impl Cells {
+    /// No cell: what a ray may meet there is not known to be little.
+    pub(crate) const OPEN: u32 = u32::MAX;
+
+    /// The interfaces around the cell that a ray runs into from what it stands on; `None` where that is no cell.
+    #[inline]
+    pub(crate) fn around(&self, start: Start) -> Option<&[u32]> {
+        let Start::On { interface, left } = start else { return None };
+        let cell = self.of_sides[interface][usize::from(!left)] as usize;
+        let (begin, end) = (*self.begins.get(cell)?, *self.begins.get(cell + 1)?);
+        Some(&self.walls[begin as usize..end as usize])
+    }
+}

@@ -1,0 +1,212 @@
+//! All rays of a system, many at a time, their results in one order.
+
+use rayon::prelude::*;
+
+use crate::light::Wavelength;
+use crate::system::OpticalSystem;
+use crate::trace::summary::RaySummary;
+use crate::trace::tracer::Tracer;
+use crate::trace::{Segment, TracedRay, Visitor, Work};
+
+/// One ray at one line, followed: its branches if they were asked for, and what became of its light.
+pub(crate) struct Part {
+    pub(crate) ray: TracedRay,
+    pub(crate) summary: RaySummary,
+    pub(crate) work: Work,
+}
+
+/// Follows every ray of the system through every hit, in order and on one thread, and hands every segment on.
+///
+/// It needs memory for the depth of a tree and not for its size.
+pub fn visit(system: &OpticalSystem, visitor: &mut impl Visitor) {
+    let plan = Plan::new(system);
+    let mut tracer = Tracer::new(system);
+    let mut left = system.settings.max_segments;
+    for job in 0..plan.jobs() {
+        let (source, ray) = plan.job(job);
+        let placed = &system.sources[source];
+        for line in 0..placed.lines.len() {
+            let traced = plan.ray(source, ray, line);
+            let indices = plan.indices(placed.lines[line]);
+            let work = tracer
+                .follow(&placed.starts[ray], placed.power, indices, left, |segment| visitor.segment(&traced, *segment));
+            left -= work.followed;
+        }
+    }
+}
+
+/// So many segments are followed before other threads are asked for help: starting them takes as long.
+const ALONE: u64 = 16_384;
+/// Rays in one batch at most.
+const BATCH: u64 = 4096;
+
+/// Follows every ray of the system and hands the parts on in order. The segments that the system's limit allows are spent in
+/// that order too: the result does not depend on the number of threads. `progress` hears now and then how many segments were
+/// followed since it was last called.
+pub(crate) fn collect(
+    system: &OpticalSystem,
+    keeps_tree: bool,
+    progress: &(dyn Fn(u64) + Sync),
+    mut keep: impl FnMut(Part),
+) {
+    let plan = Plan::new(system);
+    let most = system.settings.max_segments;
+    let (mut left, mut longest, mut next) = (most, 1, 0);
+    let mut alone = Worker::new(system, &plan, keeps_tree, progress);
+    while next < plan.jobs() {
+        let is_begin = most - left < ALONE && left > 0;
+        let batch = if is_begin {
+            1
+        } else if left == 0 {
+            BATCH
+        } else {
+            (left / longest).clamp(number(rayon::current_num_threads()), BATCH)
+        };
+        let end = plan.jobs().min(next + place(batch));
+        let lines: Vec<Vec<Part>> = if is_begin {
+            vec![alone.lines(next, left)]
+        } else {
+            let worker = || Worker::new(system, &plan, keeps_tree, progress);
+            (next..end).into_par_iter().map_init(worker, |worker, job| worker.lines(job, left)).collect()
+        };
+        for (job, parts) in (next..).zip(lines) {
+            for (line, mut part) in parts.into_iter().enumerate() {
+                longest = longest.max(part.work.followed);
+                if part.work.followed > left {
+                    part = alone.line(job, line, left);
+                }
+                left -= part.work.followed;
+                keep(part);
+            }
+        }
+        next = end;
+    }
+}
+
+/// The rays of a system in order, and the index of every medium at every wavelength.
+struct Plan<'a> {
+    system: &'a OpticalSystem,
+    /// Number of the first ray of each source, and of all.
+    firsts: Vec<usize>,
+    wavelengths: Vec<Wavelength>,
+    indices: Vec<Vec<f64>>,
+}
+
+impl<'a> Plan<'a> {
+    fn new(system: &'a OpticalSystem) -> Self {
+        let count = |first: &mut usize, rays: usize| {
+            *first += rays;
+            Some(*first)
+        };
+        let rays = system.sources.iter().map(|source| source.starts.len());
+        let firsts = std::iter::once(0).chain(rays).scan(0, |first, rays| count(first, rays)).collect();
+        let wavelengths = system.wavelengths();
+        let of_media = |line: &Wavelength| system.media.iter().map(|medium| medium.index(*line)).collect();
+        Self { system, firsts, indices: wavelengths.iter().map(of_media).collect(), wavelengths }
+    }
+
+    /// How many rays there are, each with all its lines.
+    fn jobs(&self) -> usize {
+        self.firsts.last().copied().unwrap_or(0)
+    }
+
+    /// The source and the ray within it.
+    fn job(&self, job: usize) -> (usize, usize) {
+        let source = self.firsts.partition_point(|first| *first <= job) - 1;
+        (source, job - self.firsts[source])
+    }
+
+    /// A ray without its branches.
+    fn ray(&self, source: usize, ray: usize, line: usize) -> TracedRay {
+        let placed = &self.system.sources[source];
+        TracedRay {
+            source,
+            ray,
+            wavelength: placed.lines[line],
+            power: placed.power.total(),
+            one_of_several_lines: placed.lines.len() > 1,
+            segments: Vec::new(),
+        }
+    }
+
+    fn indices(&self, line: Wavelength) -> &[f64] {
+        let place = self.wavelengths.binary_search_by(|known| known.nanometers().total_cmp(&line.nanometers()));
+        place.map_or(&[], |place| &self.indices[place])
+    }
+}
+
+/// Follows rays on one thread.
+struct Worker<'a> {
+    plan: &'a Plan<'a>,
+    tracer: Tracer<'a>,
+    keeps_tree: bool,
+    segments: Vec<Segment>,
+    progress: &'a (dyn Fn(u64) + Sync),
+}
+
+impl<'a> Worker<'a> {
+    fn new(
+        system: &'a OpticalSystem,
+        plan: &'a Plan<'a>,
+        keeps_tree: bool,
+        progress: &'a (dyn Fn(u64) + Sync),
+    ) -> Self {
+        Self { plan, tracer: Tracer::new(system), keeps_tree, segments: Vec::new(), progress }
+    }
+
+    /// A ray at all its lines. Light that depends on no index that changes with the wavelength is followed once.
+    fn lines(&mut self, job: usize, most: u64) -> Vec<Part> {
+        let (source, _) = self.plan.job(job);
+        let lines = &self.plan.system.sources[source].lines;
+        let mut parts: Vec<Part> = Vec::with_capacity(lines.len());
+        for (line, wavelength) in lines.iter().enumerate() {
+            let part = match parts.first() {
+                Some(first) if !first.work.disperses => first.at(*wavelength),
+                _ => self.line(job, line, most),
+            };
+            parts.push(part);
+        }
+        parts
+    }
+
+    /// A ray at one of its lines, with at most so many segments followed.
+    fn line(&mut self, job: usize, line: usize, most: u64) -> Part {
+        let (source, number) = self.plan.job(job);
+        let mut ray = self.plan.ray(source, number, line);
+        let placed = &self.plan.system.sources[source];
+        let indices = self.plan.indices(placed.lines[line]);
+        let (mut summary, mut told) = (RaySummary::default(), 0);
+        let Self { tracer, keeps_tree, segments, progress, .. } = self;
+        segments.clear();
+        let work = tracer.follow(&placed.starts[number], placed.power, indices, most, |segment| {
+            summary.count(&ray, segment);
+            if *keeps_tree {
+                segments.push(*segment);
+            }
+            if summary.segments - told == ALONE {
+                told = summary.segments;
+                progress(ALONE);
+            }
+        });
+        progress(summary.segments - told);
+        ray.segments = segments.as_slice().to_vec();
+        Part { ray, summary, work }
+    }
+}
+
+impl Part {
+    /// The same light at another wavelength, which changes nothing on its way.
+    fn at(&self, wavelength: Wavelength) -> Self {
+        let mut summary = self.summary.clone();
+        summary.landed.iter_mut().for_each(|(_, hit)| hit.wavelength = wavelength);
+        Self { ray: TracedRay { wavelength, ..self.ray.clone() }, summary, work: self.work.spared() }
+    }
+}
+
+fn number(count: usize) -> u64 {
+    u64::try_from(count).unwrap_or(u64::MAX)
+}
+
+fn place(count: u64) -> usize {
+    usize::try_from(count).unwrap_or(usize::MAX)
+}
