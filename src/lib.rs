@@ -66,6 +66,10 @@ pub mod trace;
 #[doc(hidden)]
 pub mod cli;
 
+/// For what unit tests share with the tests of the whole library.
+#[cfg(test)]
+extern crate self as snellius;
+
 /// The README's Rust examples, tested with the documentation's.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -5,9 +5,7 @@
 //! the binned splits; Wald, Benthin and Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing 2008, for
 //! the wide nodes.
 
-use std::array::from_fn;
-
-use glam::DVec2;
+use glam::{DVec2, Vec4};
 
 use crate::geometry::Bounds;
 
@@ -27,8 +25,8 @@ pub struct BoxTree {
 /// Four boxes side by side, with what is in each.
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    min: [[f32; 4]; 2],
-    max: [[f32; 4]; 2],
+    min: [Vec4; 2],
+    max: [Vec4; 2],
     content: [u32; 4],
 }
 
@@ -94,7 +92,7 @@ impl BoxTree {
         waiting.clear();
         waiting.push((0.0, 0));
         while let Some((entry, content)) = waiting.pop() {
-            if entry > end {
+            if entry > end || content == NONE {
                 continue;
             }
             if content & ITEM != 0 {
@@ -165,7 +163,7 @@ impl BoxTree {
 }
 
 impl Node {
-    const EMPTY: Self = Self { min: [[f32::INFINITY; 4]; 2], max: [[f32::NEG_INFINITY; 4]; 2], content: [NONE; 4] };
+    const EMPTY: Self = Self { min: [Vec4::INFINITY; 2], max: [Vec4::NEG_INFINITY; 2], content: [NONE; 4] };
 
     fn set(&mut self, slot: usize, flat: Flat, content: u32) {
         for axis in 0..2 {
@@ -177,20 +175,23 @@ impl Node {
 
     /// Puts what the line meets before `end` on the list, the nearest last.
     fn push_met(&self, line: &Line, end: f32, waiting: &mut Waiting) {
-        let (near, far) = line.order(&self.min, &self.max);
-        let t = |edges: &[f32; 4], axis: usize, slot: usize| (edges[slot] - line.origin[axis]) * line.inverse[axis];
-        let entry = from_fn(|slot| larger(larger(t(near[0], 0, slot), t(near[1], 1, slot)), 0.0));
-        let exit = from_fn(|slot| smaller(smaller(t(far[0], 0, slot), t(far[1], 1, slot)), end));
-        let (entry, exit): ([f32; 4], [f32; 4]) = (entry, exit);
+        let [x, y] = [0, 1].map(|axis| {
+            let t = |edges: Vec4| (edges - line.origin[axis]) * line.inverse[axis];
+            let (first, last) = (t(self.min[axis]), t(self.max[axis]));
+            if line.inverse[axis] < 0.0 { (last, first) } else { (first, last) }
+        });
+        let (entry, exit) = (x.0.max(y.0).max(Vec4::ZERO), x.1.min(y.1).min(Vec4::splat(end)));
+        let mut met = entry.cmple(exit).bitmask();
+        let entry = entry.to_array();
         let first = waiting.len();
-        for slot in 0..4 {
-            if entry[slot] <= exit[slot] && self.content[slot] != NONE {
-                let mut place = waiting.len();
-                waiting.push((entry[slot], self.content[slot]));
-                while place > first && waiting[place - 1].0 < waiting[place].0 {
-                    waiting.swap(place - 1, place);
-                    place -= 1;
-                }
+        while met != 0 {
+            let slot = met.trailing_zeros() as usize;
+            met &= met - 1;
+            let mut place = waiting.len();
+            waiting.push((entry[slot], self.content[slot]));
+            while place > first && waiting[place - 1].0 < waiting[place].0 {
+                waiting.swap(place - 1, place);
+                place -= 1;
             }
         }
     }
@@ -212,13 +213,6 @@ impl Line {
     fn until(&self, distance: f64) -> f32 {
         ((distance - self.entry) * self.scale) as f32 * (1.0 + PAD) + PAD
     }
-
-    /// The edges of boxes that the line meets first, and those that it meets last.
-    fn order<'a>(&self, min: &'a [[f32; 4]; 2], max: &'a [[f32; 4]; 2]) -> ([&'a [f32; 4]; 2], [&'a [f32; 4]; 2]) {
-        let pick = |axis: usize, ahead: bool| if ahead { &max[axis] } else { &min[axis] };
-        let ahead = [0, 1].map(|axis| self.inverse[axis] >= 0.0);
-        ([0, 1].map(|axis| pick(axis, !ahead[axis])), [0, 1].map(|axis| pick(axis, ahead[axis])))
-    }
 }
 
 /// One over a component of a direction, in single precision and no infinity.
@@ -230,16 +224,6 @@ fn inverse(component: f64) -> f32 {
 /// A component of a direction, away from 0 so far that its inverse is no infinity in single precision.
 fn no_zero(component: f64) -> f64 {
     if component.abs() < 1e-18 { 1e-18_f64.copysign(component) } else { component }
-}
-
-/// The larger of two numbers, in one instruction.
-fn larger(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-/// The smaller of two numbers, in one instruction.
-fn smaller(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
 }
 
 /// A box to be put in the tree.

@@ -56,6 +56,7 @@ impl Curve {
     }
 
     /// Whether the curve is a straight edge.
+    #[inline]
     #[must_use]
     pub fn is_straight(&self) -> bool {
         self.curvature == 0.0
@@ -89,12 +90,13 @@ impl Curve {
     }
 
     /// Unit normal to the left of the direction of travel at a point on the curve.
+    #[inline]
     #[must_use]
     pub fn normal_at(&self, p: DVec2) -> DVec2 {
         if self.is_straight() {
             return self.n;
         }
-        (self.n + self.curvature * (self.m - p)).normalize_or(self.n)
+        self.gradient(p).normalize_or(self.n)
     }
 
     /// Unit direction of travel at a point on the curve.
@@ -104,26 +106,50 @@ impl Curve {
     }
 
     /// Distance of a point from the curve's whole line or circle, positive on the left of the direction of travel.
+    #[inline]
     #[must_use]
     pub fn offset(&self, p: DVec2) -> f64 {
+        if self.is_straight() {
+            return self.n.dot(p - self.m);
+        }
+        self.power(p) / (1.0 + self.gradient(p).length())
+    }
+
+    /// The left side of the curve's equation with the sign of [`offset`](Self::offset), 2 n·(p − m) − κ |p − m|²: about twice
+    /// the offset near the curve, and more far from it.
+    #[inline]
+    #[must_use]
+    pub fn power(&self, p: DVec2) -> f64 {
         let q = p - self.m;
-        let value = 2.0 * self.n.dot(q) - self.curvature * q.length_squared();
-        let gradient = (self.n - self.curvature * q).length();
-        value / (1.0 + gradient)
+        2.0 * self.n.dot(q) - self.curvature * q.length_squared()
+    }
+
+    /// Half the gradient of [`power`](Self::power): along the normal to the left, of length 1 on the curve.
+    #[inline]
+    fn gradient(&self, p: DVec2) -> DVec2 {
+        self.n + self.curvature * (self.m - p)
     }
 
     /// The nearest point of the curve's whole line or circle.
+    #[inline]
     #[must_use]
     pub fn project(&self, p: DVec2) -> DVec2 {
-        p - self.offset(p) * self.normal_at(p)
+        if self.is_straight() {
+            return p - self.offset(p) * self.n;
+        }
+        let gradient = self.gradient(p);
+        let length = gradient.length();
+        let normal = if length > 0.0 { gradient / length } else { self.n };
+        p - self.power(p) / (1.0 + length) * normal
     }
 
     /// A point of the curve's line or circle if it lies between the ends, else the nearer end. For an arc of at most half
     /// a circle.
+    #[inline]
     #[must_use]
     pub fn clamp(&self, p: DVec2) -> DVec2 {
-        let before = (p - self.a).dot(self.tangent_at(self.a)) < 0.0;
-        let after = (p - self.b).dot(self.tangent_at(self.b)) > 0.0;
+        let before = self.gradient(self.a).perp_dot(p - self.a) > 0.0;
+        let after = self.gradient(self.b).perp_dot(p - self.b) < 0.0;
         if !before && !after {
             p
         } else if p.distance_squared(self.a) < p.distance_squared(self.b) {

@@ -19,18 +19,19 @@ pub(crate) struct Part {
 ///
 /// It needs memory for the depth of a tree and not for its size.
 pub fn visit(system: &OpticalSystem, visitor: &mut impl Visitor) {
-    let plan = Plan::new(system);
-    let mut tracer = Tracer::new(system);
-    let mut left = system.settings.max_segments;
+    visit_with(Tracer::new(system), &Plan::new(system), visitor);
+}
+
+pub(crate) fn visit_with<'a>(mut tracer: Tracer<'a>, plan: &'a Plan<'a>, visitor: &mut impl Visitor) {
+    let mut left = plan.system.settings.max_segments;
     for job in 0..plan.jobs() {
         let (source, ray) = plan.job(job);
-        let placed = &system.sources[source];
-        for line in 0..placed.lines.len() {
+        let placed = &plan.system.sources[source];
+        for (line, wavelength) in placed.lines.iter().enumerate() {
             let traced = plan.ray(source, ray, line);
-            let indices = plan.indices(placed.lines[line]);
-            let work = tracer
-                .follow(&placed.starts[ray], placed.power, indices, left, |segment| visitor.segment(&traced, *segment));
-            left -= work.followed;
+            let indices = plan.indices(*wavelength);
+            let visit = |segment: &Segment| visitor.segment(&traced, *segment);
+            left -= tracer.follow(&placed.starts[ray], placed.power, indices, left, visit).followed;
         }
     }
 }
@@ -84,7 +85,7 @@ pub(crate) fn collect(
 }
 
 /// The rays of a system in order, and the index of every medium at every wavelength.
-struct Plan<'a> {
+pub(crate) struct Plan<'a> {
     system: &'a OpticalSystem,
     /// Number of the first ray of each source, and of all.
     firsts: Vec<usize>,
@@ -93,7 +94,7 @@ struct Plan<'a> {
 }
 
 impl<'a> Plan<'a> {
-    fn new(system: &'a OpticalSystem) -> Self {
+    pub(crate) fn new(system: &'a OpticalSystem) -> Self {
         let count = |first: &mut usize, rays: usize| {
             *first += rays;
             Some(*first)

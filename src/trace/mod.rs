@@ -11,6 +11,8 @@ mod tracer;
 mod work;
 
 #[cfg(test)]
+mod plain;
+#[cfg(test)]
 mod tests;
 
 pub use collect::visit;
@@ -76,4 +78,15 @@ fn gather(system: &OpticalSystem, mut tree: Option<&mut RayTree>, progress: &(dy
         }
     });
     summary
+}
+
+impl Visitor for RayTree {
+    fn segment(&mut self, ray: &TracedRay, segment: Segment) {
+        if segment.parent.is_none() {
+            self.rays.push(ray.clone());
+        }
+        if let Some(last) = self.rays.last_mut() {
+            last.segments.push(segment);
+        }
+    }
 }

@@ -40,6 +40,9 @@ pub struct Search<'a> {
     waiting: Waiting,
     crossings: Vec<Crossing>,
     pub(crate) nodes: u64,
+    /// Looks at every interface and counts behind every ray.
+    #[cfg(test)]
+    pub(crate) skips_nothing: bool,
 }
 
 /// A crossing of the ray's whole line with the boundary of the ray's medium, or with a surface inside of it.
@@ -58,7 +61,14 @@ impl<'a> Search<'a> {
     /// For the rays of a system.
     #[must_use]
     pub fn new(system: &'a OpticalSystem) -> Self {
-        Self { system, waiting: Waiting::new(), crossings: Vec::new(), nodes: 0 }
+        Self {
+            system,
+            waiting: Waiting::new(),
+            crossings: Vec::new(),
+            nodes: 0,
+            #[cfg(test)]
+            skips_nothing: false,
+        }
     }
 
     /// The first interface that the ray crosses out of its medium, or within it; at a corner that two share, the one it passes
@@ -69,6 +79,10 @@ impl<'a> Search<'a> {
     /// behind it tell whether it starts inside, and what rounding has put on the wrong side of the start changes sides.
     pub fn nearest(&mut self, ray: &Ray) -> Option<Crossing> {
         let probe = Probe::new(self.system, ray);
+        #[cfg(test)]
+        if self.skips_nothing {
+            return nearest_of_all(&probe);
+        }
         let mut crossings = std::mem::take(&mut self.crossings);
         crossings.clear();
         let (mut reach, mut in_doubt) = (f64::INFINITY, false);
@@ -121,6 +135,17 @@ impl<'a> Search<'a> {
     }
 }
 
+/// [`Search::nearest`] from every interface of the system.
+#[cfg(test)]
+fn nearest_of_all(probe: &Probe) -> Option<Crossing> {
+    let mut all = Vec::new();
+    for place in 0..probe.system.interfaces.len() {
+        passages(probe, place, |passage| all.push(passage));
+    }
+    let first = first_by_count(probe, all);
+    first.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
+}
+
 /// The first crossing out of the ray's medium, of all that its whole line has with the boundary of it: once as many have changed
 /// sides of the start as the count of those behind it misses, those first whose distances speak least against it.
 pub(crate) fn first_by_count(probe: &Probe, mut passages: Vec<Passage>) -> Option<Crossing> {
@@ -145,6 +170,9 @@ pub(crate) fn first_by_count(probe: &Probe, mut passages: Vec<Passage>) -> Optio
 
 /// The crossing that the ray passes first. None that is farther than `reach` can be it.
 fn first(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<Crossing> {
+    if let [only] = crossings[..] {
+        return Some(only);
+    }
     crossings.retain(|crossing| crossing.distance <= reach);
     crossings.sort_by_key(|crossing| crossing.interface);
     let key = |crossing: &Crossing| (crossing.interface, crossing.distance);
@@ -152,14 +180,13 @@ fn first(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<Cro
 }
 
 /// Visits every crossing of the ray's line with an interface, if that bounds the ray's medium.
+#[inline]
 pub(crate) fn passages(probe: &Probe, place: usize, mut visit: impl FnMut(Passage)) {
     let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
     if interface.left != medium && interface.right != medium {
         return;
     }
-    for Met { distance, slack, from_left, is_ahead, is_in_doubt } in
-        probe.crossings(place, interface).into_iter().flatten()
-    {
+    probe.crossings(place, interface, |Met { distance, slack, from_left, is_ahead, is_in_doubt }| {
         let from = if from_left { interface.left } else { interface.right };
         let entry = match (interface.left == interface.right, from == medium) {
             (true, _) => 0,
@@ -168,7 +195,7 @@ pub(crate) fn passages(probe: &Probe, place: usize, mut visit: impl FnMut(Passag
         };
         let crossing = Crossing { interface: place, distance, from_left };
         visit(Passage { crossing, reach: distance + slack, is_ahead, is_in_doubt, entry });
-    }
+    });
 }
 
 impl Passage {

@@ -66,30 +66,42 @@ impl<'a> Probe<'a> {
         if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
     }
 
-    /// Where the line crosses the interface at place `index`.
-    pub(crate) fn crossings(&self, index: usize, candidate: &Interface) -> [Option<Met>; 2] {
-        match self.ray.start {
-            Start::On { interface, left } if interface == index => [self.again(candidate, left), None],
-            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => [self.off_vertex(candidate, vertex), None],
-            _ if candidate.curve.is_straight() => [self.edge(candidate), None],
-            _ => self.arc(candidate),
+    /// Visits where the line crosses the interface at place `index`.
+    #[inline]
+    pub(crate) fn crossings(&self, index: usize, candidate: &Interface, mut visit: impl FnMut(Met)) {
+        let special = match self.ray.start {
+            Start::On { interface, left } if interface == index => Some(self.again(candidate, left)),
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => Some(self.off_vertex(candidate, vertex)),
+            _ => None,
+        };
+        match special {
+            Some(met) => met.into_iter().for_each(visit),
+            None if candidate.curve.is_straight() => {
+                if let Some(met) = self.edge(candidate) {
+                    visit(met);
+                }
+            }
+            None => self.arc(candidate).into_iter().flatten().for_each(visit),
         }
     }
 
     /// Side of the ray on which a vertex lies: true is left. The ends of the straight edge that the ray stands on, and an
     /// arc's end where it stands, follow from the side it heads to.
+    #[inline]
     fn is_left(&self, vertex: VertexId, p: DVec2) -> bool {
         if let Some((last, heads_left)) = self.last
-            && let Some(end) = last.ends.iter().position(|end| *end == vertex)
+            && (last.ends[0] == vertex || last.ends[1] == vertex)
             && (last.curve.is_straight() || p.distance(self.ray.from) <= self.near)
         {
-            return heads_left == (end == 0);
+            return heads_left == (last.ends[0] == vertex);
         }
-        let to_vertex = p - self.ray.from;
-        let turn = self.ray.direction.perp_dot(to_vertex);
-        if turn.abs() > self.near {
-            return turn > 0.0;
-        }
+        let turn = self.ray.direction.perp_dot(p - self.ray.from);
+        if turn.abs() > self.near { turn > 0.0 } else { self.is_left_of_touched(vertex, p) }
+    }
+
+    /// Side on which a vertex counts that lies on the ray's line up to rounding.
+    #[cold]
+    fn is_left_of_touched(&self, vertex: VertexId, p: DVec2) -> bool {
         if self.ray.start != Start::Free {
             return self.leaves_on_the_left(p);
         }
@@ -137,36 +149,42 @@ impl<'a> Probe<'a> {
     }
 
     /// Whether the ray's line passes between the ends of an interface; then whether it comes from its left.
+    #[inline]
     fn passes_from_left(&self, candidate: &Interface) -> Option<bool> {
         let [a, b] = candidate.ends;
         let (a_left, b_left) = (self.is_left(a, candidate.curve.a), self.is_left(b, candidate.curve.b));
         (a_left != b_left).then_some(b_left)
     }
 
+    #[inline]
     fn edge(&self, candidate: &Interface) -> Option<Met> {
         let from_left = self.passes_from_left(candidate)?;
         let Curve { a, b, m, n, .. } = candidate.curve;
         let [a, b] = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
-        let (begin, end) = (a.min(b), a.max(b));
+        let (begin, end) = if a < b { (a, b) } else { (b, a) };
         let (across, apart) = (n.dot(self.ray.direction), n.dot(m - self.ray.from));
         // An edge along the ray, up to rounding, is met at once.
         let is_along = across.abs() * (end - begin) <= self.near;
         let distance = if is_along { 0.0 } else { apart / across }.max(begin).min(end);
         let slack = if is_along { end - begin } else { self.near / across.abs() };
-        let is_clear = apart.abs() > self.near;
-        let is_ahead = if is_clear {
-            // Ahead if the ray starts on the side that it comes from.
-            (apart < 0.0) == from_left
-        } else if self.touches_last(candidate) {
-            self.is_ahead(candidate, distance)
+        // Ahead if the ray starts on the side that it comes from.
+        let is_ahead = (apart < 0.0) == from_left;
+        let met = Met { distance, slack, from_left, is_ahead, is_in_doubt: false };
+        Some(if apart.abs() > self.near { met } else { self.edge_at_start(candidate, met, begin, end) })
+    }
+
+    /// A crossing of an edge on whose line the ray starts up to rounding; the edge lies between two distances along the ray.
+    #[cold]
+    fn edge_at_start(&self, candidate: &Interface, met: Met, begin: f64, end: f64) -> Met {
+        let is_ahead = if self.touches_last(candidate) {
+            self.is_ahead(candidate, met.distance)
         } else if begin > self.near || end < -self.near {
             begin > self.near
         } else {
             let start = side(candidate.curve.a, candidate.curve.b, self.ray.from);
-            start != 0.0 && (start > 0.0) == from_left
+            start != 0.0 && (start > 0.0) == met.from_left
         };
-        let is_in_doubt = !is_clear && begin <= self.near && end >= -self.near;
-        Some(Met { distance, slack, from_left, is_ahead, is_in_doubt })
+        Met { is_ahead, is_in_doubt: begin <= self.near && end >= -self.near, ..met }
     }
 
     fn arc(&self, candidate: &Interface) -> [Option<Met>; 2] {
@@ -191,10 +209,8 @@ impl<'a> Probe<'a> {
     }
 
     fn met_on_arc(&self, candidate: &Interface, distance: f64, from_left: bool) -> Met {
-        let Curve { m, n, curvature, .. } = candidate.curve;
-        let q = self.ray.from - m;
-        // Far from the circle, by its equation.
-        if (curvature * q - 2.0 * n).dot(q).abs() > 4.0 * self.near {
+        // Far from the circle.
+        if candidate.curve.power(self.ray.from).abs() > 4.0 * self.near {
             return Met { distance, slack: 0.0, from_left, is_ahead: distance > 0.0, is_in_doubt: false };
         }
         let normal = candidate.curve.normal_at(self.ray.from + distance * self.ray.direction);

@@ -47,6 +47,14 @@ impl<'a> Tracer<'a> {
         }
     }
 
+    /// A tracer that looks at every interface at every step.
+    #[cfg(test)]
+    pub(crate) fn skipping_nothing(system: &'a OpticalSystem) -> Self {
+        let mut tracer = Self::new(system);
+        tracer.search.skips_nothing = true;
+        tracer
+    }
+
     /// Follows a ray at a line to the end of all its branches, at most `most` segments, transmitted before reflected. `indices`
     /// holds the index of every medium at that line. Returns what that took.
     pub(crate) fn follow(
