@@ -2,20 +2,26 @@
 //! and the medium on each side of every boundary settled once.
 
 mod arrangement;
+mod cuts;
 mod gaps;
 mod interfaces;
 mod intersect;
+mod lists;
 mod origin;
 mod region;
+mod runs;
 mod shapes;
 mod sources;
+
+use std::collections::HashMap;
 
 use glam::DVec2;
 
 use crate::compile::arrangement::{Boundary, arrange};
 use crate::compile::gaps::{Gap, gaps};
 use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
-use crate::compile::region::Region;
+use crate::compile::region::{Region, Regions};
+use crate::compile::runs::Runs;
 use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, Curve, Placement};
 use crate::media::Dispersion;
@@ -54,19 +60,27 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     }
     let origin = origin::origin(bounds(scene, &layout.bodies));
     let boundaries = layout.boundaries(scene, origin);
-    let regions = layout.regions(&boundaries);
-    let pieces = arrange(&boundaries);
-    let sides = Sides { boundaries: &boundaries, regions: &regions, outlines: &layout.roles, surroundings };
-    let walls = sides.walls(&pieces);
-    let interfaces: Vec<_> = walls.iter().filter(|wall| is_interface(wall)).cloned().collect();
-    let near = rounding(&interfaces, origin);
-    let ground = Ground { origin, walls: &walls, near, regions: &regions, surroundings };
+    let regions = Regions::new(layout.regions(&boundaries));
+    let runs = Runs::new(boundaries.iter().map(arrangement::bounds).collect());
+    let neighbors = runs.neighbors(gaps::MARGIN);
+    let pieces = arrange(&boundaries, &runs.pairs(&neighbors));
+    let sides =
+        Sides { boundaries: &boundaries, runs: &runs, regions: &regions, outlines: &layout.roles, surroundings };
+    let mut walls = sides.walls(&pieces);
+    let near = rounding(walls.iter().filter(|wall| is_interface(wall)), origin);
+    let dropped: Vec<_> = (0..walls.len()).filter(|k| !is_interface(&walls[*k])).collect();
+    let firsts = runs.firsts(pieces.list.iter().map(|piece| piece.boundary));
+    let ground = Ground { origin, walls: &walls, dropped, runs: &runs, firsts, near, regions: &regions, surroundings };
     let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
+    let kept = pieces.list.iter().zip(&walls).filter(|(_, wall)| is_interface(wall));
+    let firsts = runs.firsts(kept.map(|(piece, _)| piece.boundary));
+    let dropped = ground.dropped.len();
+    walls.retain(is_interface);
+    let warnings = gaps(&walls, &firsts, &neighbors, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
-    let warnings = gaps(&interfaces, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
     let system = OpticalSystem {
         origin,
-        dropped: walls.len() - interfaces.len(),
+        dropped,
         media: media.list,
         surroundings,
         screens: (0..scene.bodies.len()).filter(|&k| is_screen(&scene.bodies[k])).collect(),
@@ -74,7 +88,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         sources,
         settings: scene.trace,
         title: scene.title.clone(),
-        interfaces,
+        interfaces: walls,
     };
     Ok(Compiled { system, warnings })
 }
@@ -116,13 +130,15 @@ fn display_name(body: &Body, number: usize) -> String {
 #[derive(Default)]
 struct Media {
     list: Vec<Dispersion>,
+    places: HashMap<Dispersion, usize>,
 }
 
 impl Media {
     fn id(&mut self, medium: &Medium) -> Result<MediumId, Problem> {
         let dispersion = medium.dispersion()?;
-        let place = self.list.iter().position(|known| *known == dispersion).unwrap_or_else(|| {
-            self.list.push(dispersion);
+        let place = self.places.get(&dispersion).copied().unwrap_or_else(|| {
+            self.list.push(dispersion.clone());
+            self.places.insert(dispersion, self.list.len() - 1);
             self.list.len() - 1
         });
         Ok(MediumId(u32::try_from(place).unwrap_or(u32::MAX)))
@@ -133,6 +149,8 @@ impl Media {
 #[derive(Default)]
 struct Layout {
     bodies: Vec<PlacedBody>,
+    /// Each outline's curves before placement.
+    shapes: Vec<Vec<Curve>>,
     roles: Vec<OutlineRole>,
     media: Vec<Option<MediumId>>,
 }
@@ -151,6 +169,7 @@ impl Layout {
             self.media.push(medium);
             let curves = path.curves.iter().map(|curve| placement.curve(curve)).collect();
             outlines.push(Outline { curves, closed: path.closed, medium });
+            self.shapes.push(path.curves);
         }
         self.bodies.push(PlacedBody { name: display_name(body, number), outlines });
         Ok(())
@@ -158,44 +177,45 @@ impl Layout {
 
     /// Every curve relative to the origin, an arc of more than half a circle as two.
     fn boundaries(&self, scene: &Scene, origin: DVec2) -> Vec<Boundary> {
-        let mut boundaries = Vec::new();
-        let mut outline = 0;
+        let mut boundaries = Vec::with_capacity(self.shapes.iter().map(Vec::len).sum());
+        let mut shapes = self.shapes.iter().enumerate();
         for (body, placed) in scene.bodies.iter().zip(&self.bodies) {
             // Placed anew: moving straight to the relative place rounds once, and less.
             let placement = Placement::new(body.rotate, body.at - origin);
             let mut first = None;
-            for (path, in_scene) in shapes::outlines(&body.shape).iter().zip(&placed.outlines) {
-                let curves: Vec<_> = path.curves.iter().map(|curve| placement.curve(curve)).collect();
-                // Both placements round: coordinates far from the origin of the one may be near that of the other.
-                let reach = |(placed, relative)| Bounds::from(placed).reach().max(Bounds::from(relative).reach());
-                let reaches = in_scene.curves.iter().zip(&curves).map(reach);
-                let start = curves.first().map_or(DVec2::ZERO, |curve| curve.a);
+            for (in_scene, (outline, shape)) in placed.outlines.iter().zip(&mut shapes) {
+                let start = shape.first().map_or(DVec2::ZERO, |curve| placement.point(curve.a));
                 let mut along = first.get_or_insert(start).distance(start);
-                for (curve, reach) in curves.iter().zip(reaches) {
-                    for part in parts(curve) {
+                for (placed, curve) in in_scene.curves.iter().zip(shape) {
+                    let relative = placement.curve(curve);
+                    // Both placements round: coordinates far from the origin of the one may be near that of the other.
+                    let reach = Bounds::from(placed).reach().max(Bounds::from(&relative).reach());
+                    let (first, second) = parts(relative);
+                    for part in [Some(first), second].into_iter().flatten() {
                         boundaries.push(Boundary { curve: part, reach, outline, along });
                         along += part.length();
                     }
                 }
-                outline += 1;
             }
         }
         boundaries
     }
 
-    fn regions(&self, boundaries: &[Boundary]) -> Vec<Region> {
-        let mut regions = Vec::new();
-        for of_outline in boundaries.chunk_by(|a, b| a.outline == b.outline) {
-            let outline = of_outline[0].outline;
-            if let Some(medium) = self.media[outline] {
-                regions.push(Region::new(outline, medium, of_outline.iter().map(|b| b.curve).collect()));
-            }
-        }
-        regions
+    fn regions<'a>(&self, boundaries: &'a [Boundary]) -> Vec<Region<'a>> {
+        let of_outlines = boundaries.chunk_by(|a, b| a.outline == b.outline);
+        let region = |of_outline: &'a [Boundary]| {
+            self.media[of_outline[0].outline].map(|medium| Region::new(medium, of_outline))
+        };
+        of_outlines.filter_map(region).collect()
     }
 }
 
 /// A curve as arcs of at most half a circle.
-fn parts(curve: &Curve) -> Vec<Curve> {
-    if curve.spans_more_than_half() { curve.halves().to_vec() } else { vec![*curve] }
+fn parts(curve: Curve) -> (Curve, Option<Curve>) {
+    if curve.spans_more_than_half() {
+        let [first, second] = curve.halves();
+        (first, Some(second))
+    } else {
+        (curve, None)
+    }
 }
