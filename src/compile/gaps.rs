@@ -31,7 +31,8 @@ pub(crate) fn gaps(interfaces: &[Interface], of_run: &[usize], neighbors: &Lists
     let mut found = Found::default();
     for run in 0..of_run.len() - 1 {
         for i in of_run[run]..of_run[run + 1] {
-            let others = neighbors.of(run).iter().flat_map(|other| of_run[*other]..of_run[other + 1]);
+            let others = neighbors.of(run).iter().filter(|other| **other >= run);
+            let others = others.flat_map(|other| of_run[*other]..of_run[other + 1]);
             for j in others.filter(|j| *j > i && interfaces[*j].body != interfaces[i].body) {
                 if let Some(width) = width(&interfaces[i], &interfaces[j]).filter(|width| near < *width) {
                     found.add(interfaces[i].body, interfaces[j].body, width);

@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::DVec2;
 
 use crate::compile::arrangement::{Boundary, Member, Piece, Pieces};
+use crate::compile::lists::Lists;
 use crate::compile::region::{Region, Regions};
 use crate::compile::runs::Runs;
 use crate::geometry::Curve;
@@ -15,6 +16,7 @@ use crate::system::{Action, Interface, MediumId, VertexId};
 pub(crate) struct Sides<'a> {
     pub(crate) boundaries: &'a [Boundary],
     pub(crate) runs: &'a Runs,
+    pub(crate) neighbors: &'a Lists,
     pub(crate) regions: &'a Regions<'a>,
     pub(crate) outlines: &'a [OutlineRole],
     pub(crate) surroundings: MediumId,
@@ -54,7 +56,7 @@ impl Sides<'_> {
         if nearby.run.as_ref().is_none_or(|run| !run.contains(&boundary)) {
             let run = self.runs.run_of(boundary);
             // Its box is larger than boundaries that coincide are apart.
-            self.regions.near(self.runs.around()[run], &mut nearby.regions);
+            self.regions.near(self.neighbors.of(run), self.runs.around()[run], &mut nearby.regions);
             nearby.run = Some(self.runs.range(run));
         }
     }

@@ -20,7 +20,7 @@ use glam::DVec2;
 use crate::compile::arrangement::{Boundary, arrange};
 use crate::compile::gaps::{Gap, gaps};
 use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
-use crate::compile::region::{Region, Regions};
+use crate::compile::region::Regions;
 use crate::compile::runs::Runs;
 use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, Curve, Placement};
@@ -60,12 +60,18 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     }
     let origin = origin::origin(bounds(scene, &layout.bodies));
     let boundaries = layout.boundaries(scene, origin);
-    let regions = Regions::new(layout.regions(&boundaries));
     let runs = Runs::new(boundaries.iter().map(arrangement::bounds).collect());
     let neighbors = runs.neighbors(gaps::MARGIN);
+    let regions = Regions::new(&boundaries, &runs, &layout.media);
     let pieces = arrange(&boundaries, &runs.pairs(&neighbors));
-    let sides =
-        Sides { boundaries: &boundaries, runs: &runs, regions: &regions, outlines: &layout.roles, surroundings };
+    let sides = Sides {
+        boundaries: &boundaries,
+        runs: &runs,
+        neighbors: &neighbors,
+        regions: &regions,
+        outlines: &layout.roles,
+        surroundings,
+    };
     let mut walls = sides.walls(&pieces);
     let near = rounding(walls.iter().filter(|wall| is_interface(wall)), origin);
     let dropped: Vec<_> = (0..walls.len()).filter(|k| !is_interface(&walls[*k])).collect();
@@ -199,14 +205,6 @@ impl Layout {
             }
         }
         boundaries
-    }
-
-    fn regions<'a>(&self, boundaries: &'a [Boundary]) -> Vec<Region<'a>> {
-        let of_outlines = boundaries.chunk_by(|a, b| a.outline == b.outline);
-        let region = |of_outline: &'a [Boundary]| {
-            self.media[of_outline[0].outline].map(|medium| Region::new(medium, of_outline))
-        };
-        of_outlines.filter_map(region).collect()
     }
 }
 

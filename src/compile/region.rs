@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use glam::DVec2;
 
 use crate::compile::arrangement::Boundary;
+use crate::compile::runs::Runs;
 use crate::geometry::{Bounds, BoxTree, Curve};
 use crate::numerics::{cross, side};
 use crate::system::MediumId;
@@ -62,29 +63,66 @@ impl<'a> Region<'a> {
     }
 }
 
-/// All regions, in painter's order.
+/// All regions, in painter's order, found by where they are.
 pub(crate) struct Regions<'a> {
     list: Vec<Region<'a>>,
+    boundaries: &'a [Boundary],
+    runs: &'a Runs,
+    /// The region of each outline that has one.
+    of_outline: Vec<Option<usize>>,
+    /// The regions that lie about more than one run of boundaries: none of these need come near what is inside.
+    large: Vec<usize>,
     tree: BoxTree,
 }
 
 impl<'a> Regions<'a> {
-    pub(crate) fn new(list: Vec<Region<'a>>) -> Self {
-        let tree = BoxTree::new(&list.iter().map(|region| region.bounds).collect::<Vec<_>>());
-        Self { list, tree }
+    /// The regions of the outlines that `media` gives one; `runs` are those of the boundaries.
+    pub(crate) fn new(boundaries: &'a [Boundary], runs: &'a Runs, media: &[Option<MediumId>]) -> Self {
+        let mut regions = Self {
+            list: Vec::new(),
+            boundaries,
+            runs,
+            of_outline: vec![None; media.len()],
+            large: Vec::new(),
+            tree: BoxTree::new(&[]),
+        };
+        let (mut first, mut run) = (0, 0);
+        for of_outline in boundaries.chunk_by(|a, b| a.outline == b.outline) {
+            while runs.range(run).end <= first {
+                run += 1;
+            }
+            first += of_outline.len();
+            let Some(medium) = media[of_outline[0].outline] else { continue };
+            regions.of_outline[of_outline[0].outline] = Some(regions.list.len());
+            if first > runs.range(run).end {
+                regions.large.push(regions.list.len());
+            }
+            regions.list.push(Region::new(medium, of_outline));
+        }
+        regions.tree = BoxTree::new(&regions.large.iter().map(|k| regions.list[*k].bounds).collect::<Vec<_>>());
+        regions
     }
 
-    /// Puts the regions into `found` whose boxes share a point with `bounds`, the last one first.
-    pub(crate) fn near<'b>(&'b self, bounds: Bounds, found: &mut Vec<&'b Region<'a>>) {
+    /// Puts the regions into `found` that have boundaries in some runs or whose boxes share a point with `bounds`, the last
+    /// one first.
+    pub(crate) fn near<'b>(&'b self, runs: &[usize], bounds: Bounds, found: &mut Vec<&'b Region<'a>>) {
+        let mut places = Vec::new();
+        for of_run in runs.iter().map(|run| &self.boundaries[self.runs.range(*run)]) {
+            let outlines = of_run.chunk_by(|a, b| a.outline == b.outline).map(|of_outline| of_outline[0].outline);
+            places.extend(outlines.filter_map(|outline| self.of_outline[outline]));
+        }
+        self.tree.meeting(bounds, |k| places.push(self.large[k]));
+        places.sort_unstable_by_key(|place| Reverse(*place));
+        places.dedup();
         found.clear();
-        self.tree.meeting(bounds, |k| found.push(&self.list[k]));
-        found.sort_unstable_by_key(|region| Reverse(region.outline));
+        found.extend(places.into_iter().map(|place| &self.list[place]));
     }
 
     /// The last region that holds a point.
     pub(crate) fn at(&self, p: DVec2) -> Option<&Region<'a>> {
-        let mut found = Vec::new();
-        self.near(Bounds { min: p, max: p }, &mut found);
+        let (mut runs, mut found, here) = (Vec::new(), Vec::new(), Bounds { min: p, max: p });
+        self.runs.meeting(here, |run| runs.push(run));
+        self.near(&runs, here, &mut found);
         found.into_iter().find(|region| region.contains(p))
     }
 }

@@ -71,15 +71,11 @@ impl Runs {
         });
     }
 
-    /// For each run the runs from itself on that come within `margin` of it.
+    /// For each run the runs that come within `margin` of it, itself too, ascending.
     pub(crate) fn neighbors(&self, margin: f64) -> Lists {
         let mut lists = Lists::new();
-        for (run, around) in self.around.iter().enumerate() {
-            self.meeting(around.grown(margin), |other| {
-                if other >= run {
-                    lists.push(other);
-                }
-            });
+        for around in &self.around {
+            self.meeting(around.grown(margin), |other| lists.push(other));
             lists.end();
         }
         lists
@@ -89,9 +85,10 @@ impl Runs {
     pub(crate) fn pairs(&self, neighbors: &Lists) -> Vec<(usize, usize)> {
         let mut pairs = Vec::with_capacity(self.boxes.len());
         for run in 0..self.around.len() {
+            let others = || neighbors.of(run).iter().filter(|other| **other >= run);
             for i in self.range(run) {
                 let one = self.boxes[i];
-                for &other in neighbors.of(run).iter().filter(|other| self.around[**other].meets(one)) {
+                for &other in others().filter(|other| self.around[**other].meets(one)) {
                     let later = self.range(other).start.max(i + 1)..self.range(other).end;
                     pairs.extend(later.filter(|j| self.boxes[*j].meets(one)).map(|j| (i, j)));
                 }

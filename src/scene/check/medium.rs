@@ -23,9 +23,11 @@ fn is_constant(medium: &Medium) -> bool {
 }
 
 fn too_large(path: impl Text, index: f64) -> Option<Problem> {
-    let message = format!("the refractive index is {}, above {}", show_rounded(index), show(MAX_INDEX));
-    let help = "write a smaller index; that of diamond is 2.42";
-    (index > MAX_INDEX).then(|| Problem::error(path.to_string(), message, help).label("too large"))
+    (index > MAX_INDEX).then(|| {
+        let message = format!("the refractive index is {}, above {}", show_rounded(index), show(MAX_INDEX));
+        let help = "write a smaller index; that of diamond is 2.42";
+        Problem::error(path.to_string(), message, help).label("too large")
+    })
 }
 
 /// Every line of every source has an index in every medium.
