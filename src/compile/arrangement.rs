@@ -31,21 +31,11 @@ pub(crate) struct Boundary {
 }
 
 /// A piece of boundary between two vertices.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
     pub(crate) ends: [usize; 2],
     /// The first boundary that runs here, forward: it gives the curve.
     pub(crate) boundary: usize,
-    /// The later boundaries that run here, too, in order.
-    pub(crate) twins: Vec<Member>,
-}
-
-impl Piece {
-    /// All boundaries that run here, in order.
-    pub(crate) fn members(&self) -> impl DoubleEndedIterator<Item = Member> {
-        let first = Member { boundary: self.boundary, forward: true };
-        std::iter::once(first).chain(self.twins.iter().copied())
-    }
 }
 
 /// A boundary that runs along a piece.
@@ -68,12 +58,22 @@ pub(crate) fn bounds(boundary: &Boundary) -> Bounds {
 }
 
 /// The pieces, and the points of their vertices.
+#[derive(Default)]
 pub(crate) struct Pieces {
     pub(crate) list: Vec<Piece>,
+    /// The later boundaries that run along a piece, too, in order, of the few pieces that have some.
+    twins: HashMap<usize, Vec<Member>>,
     points: Vec<DVec2>,
 }
 
 impl Pieces {
+    /// All boundaries that run along a piece, by its place in the list, in order.
+    pub(crate) fn members(&self, piece: usize) -> impl DoubleEndedIterator<Item = Member> + Clone {
+        let first = Member { boundary: self.list[piece].boundary, forward: true };
+        let twins = self.twins.get(&piece).map_or(&[][..], Vec::as_slice);
+        std::iter::once(first).chain(twins.iter().copied())
+    }
+
     /// Where a piece runs.
     pub(crate) fn curve(&self, boundaries: &[Boundary], piece: &Piece) -> Curve {
         between(&self.points, piece.ends, &boundaries[piece.boundary].curve)
@@ -99,8 +99,8 @@ pub(crate) fn arrange(boundaries: &[Boundary], pairs: &[(usize, usize)]) -> Piec
     for &(i, j) in pairs {
         arrangement.cut_at_crossings(i, j);
     }
-    let list = arrangement.pieces();
-    Pieces { list, points: arrangement.points }
+    let pieces = arrangement.pieces();
+    Pieces { points: arrangement.points, ..pieces }
 }
 
 struct Arrangement<'a> {
@@ -245,8 +245,9 @@ impl<'a> Arrangement<'a> {
         self.vertices_near(boundary, p, tolerance).find(|&point| self.at(point).distance(p) <= tolerance)
     }
 
-    fn pieces(&self) -> Vec<Piece> {
-        let mut pieces: Vec<Piece> = Vec::with_capacity(self.boundaries.len());
+    /// The pieces, without their points.
+    fn pieces(&self) -> Pieces {
+        let mut pieces = Pieces { list: Vec::with_capacity(self.boundaries.len()), ..Pieces::default() };
         // The last piece at each vertex that is the smaller of its two, and for each piece the one before it there.
         let mut last = vec![NONE; self.points.len()];
         let mut before: Vec<usize> = Vec::with_capacity(self.boundaries.len());
@@ -255,14 +256,14 @@ impl<'a> Arrangement<'a> {
                 let smaller = ends[0].min(ends[1]);
                 let there = std::iter::successors(Some(last[smaller]), |k| before.get(*k).copied());
                 // The earliest that qualifies.
-                let is_twin = |k: &usize| self.run_together(&pieces[*k], boundary, ends);
+                let is_twin = |k: &usize| self.run_together(&pieces.list[*k], boundary, ends);
                 if let Some(k) = there.take_while(|k| *k != NONE).filter(is_twin).last() {
-                    let forward = pieces[k].ends[0] == ends[0];
-                    pieces[k].twins.push(Member { boundary, forward });
+                    let forward = pieces.list[k].ends[0] == ends[0];
+                    pieces.twins.entry(k).or_default().push(Member { boundary, forward });
                 } else {
                     before.push(last[smaller]);
-                    last[smaller] = pieces.len();
-                    pieces.push(Piece { ends, boundary, twins: Vec::new() });
+                    last[smaller] = pieces.list.len();
+                    pieces.list.push(Piece { ends, boundary });
                 }
             });
         }

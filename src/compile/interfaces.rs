@@ -41,14 +41,14 @@ impl Sides<'_> {
     pub(crate) fn walls(&self, pieces: &Pieces) -> Vec<Interface> {
         let mut vertices = Vertices::default();
         let mut nearby = Nearby { run: None, regions: Vec::new() };
-        let mut wall = |piece: &Piece| {
+        let mut wall = |(k, piece): (usize, &Piece)| {
             let curve = pieces.curve(self.boundaries, piece);
             self.find_regions(piece.boundary, &mut nearby);
-            let [left, right] = self.media_beside(piece, curve.midpoint(), &nearby.regions);
-            let (action, body) = self.role_of(piece, &curve);
+            let [left, right] = self.media_beside(&pieces.members(k), curve.midpoint(), &nearby.regions);
+            let (action, body) = self.role_of(pieces.members(k), &curve);
             Interface { curve, ends: piece.ends.map(|end| vertices.id(end)), left, right, action, body }
         };
-        pieces.list.iter().map(&mut wall).collect()
+        pieces.list.iter().enumerate().map(&mut wall).collect()
     }
 
     /// Regions that may hold the sides of a boundary: those near its run.
@@ -62,15 +62,17 @@ impl Sides<'_> {
     }
 
     /// The media of the last regions that hold a piece's left side and its right one.
-    fn media_beside(&self, piece: &Piece, middle: DVec2, regions: &[&Region]) -> [MediumId; 2] {
+    fn media_beside(
+        &self,
+        members: &(impl Iterator<Item = Member> + Clone),
+        middle: DVec2,
+        regions: &[&Region],
+    ) -> [MediumId; 2] {
         let mut media = [None; 2];
         for region in regions {
-            let is_own = |member: &Member| self.boundaries[member.boundary].outline == region.outline;
-            let own = piece.members().filter(is_own).count();
-            let holds = match piece.members().find(is_own) {
-                Some(member) if own % 2 == 1 => {
-                    [true, false].map(|left| (region.inside_left == member.forward) == left)
-                }
+            let mut own = members.clone().filter(|member| self.boundaries[member.boundary].outline == region.outline);
+            let holds = match (own.next(), own.count() % 2) {
+                (Some(Member { forward, .. }), 0) => [true, false].map(|left| (region.inside_left == forward) == left),
                 // An outline that runs here there and back leaves both sides alike.
                 _ => [region.contains(middle); 2],
             };
@@ -85,11 +87,11 @@ impl Sides<'_> {
     }
 
     /// What a piece does, and the body that a hit there names.
-    fn role_of(&self, piece: &Piece, curve: &Curve) -> (Action, usize) {
-        let surface = piece.members().rev().find_map(|member| Some((member, self.surface_of(&member)?)));
+    fn role_of(&self, members: impl DoubleEndedIterator<Item = Member> + Clone, curve: &Curve) -> (Action, usize) {
+        let surface = members.clone().rev().find_map(|member| Some((member, self.surface_of(&member)?)));
         match surface {
             Some((member, surface)) => (self.action(surface, &member, curve), self.role(&member).body),
-            None => (Action::Refract, piece.members().map(|member| self.role(&member).body).max().unwrap_or(0)),
+            None => (Action::Refract, members.map(|member| self.role(&member).body).max().unwrap_or(0)),
         }
     }
 

@@ -58,7 +58,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     for (number, body) in scene.bodies.iter().enumerate() {
         layout.add(number, body, &mut media)?;
     }
-    let origin = origin::origin(bounds(scene, &layout.bodies));
+    let origin = origin::origin(layout.bounds(scene));
     let boundaries = layout.boundaries(scene, origin);
     let runs = Runs::new(boundaries.iter().map(arrangement::bounds).collect());
     let neighbors = runs.neighbors(gaps::MARGIN);
@@ -104,14 +104,6 @@ fn unplaced(problems: Vec<Problem>) -> Problems {
     Problems::new(problems, String::new(), String::new())
 }
 
-/// The box around all bodies and ray starts, in scene coordinates.
-fn bounds(scene: &Scene, bodies: &[PlacedBody]) -> Bounds {
-    let curves = bodies.iter().flat_map(|body| &body.outlines).flat_map(|outline| &outline.curves);
-    let around_bodies = curves.map(Bounds::from).fold(Bounds::EMPTY, Bounds::union);
-    let starts = scene.sources.iter().flat_map(|source| rays(&source.light, DVec2::ZERO)).map(|(from, _)| from);
-    around_bodies.union(Bounds::of(starts))
-}
-
 fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
     let name = |k: usize| display_name(&scene.bodies[k], k);
     let is_surface = |k: usize| matches!(scene.bodies[k].substance, Substance::Surface(_));
@@ -154,18 +146,17 @@ impl Media {
 /// The outlines of all bodies, in painter's order.
 #[derive(Default)]
 struct Layout {
+    /// Not in their places until the boundaries are made.
     bodies: Vec<PlacedBody>,
-    /// Each outline's curves before placement.
-    shapes: Vec<Vec<Curve>>,
     roles: Vec<OutlineRole>,
     media: Vec<Option<MediumId>>,
 }
 
 impl Layout {
     fn add(&mut self, number: usize, body: &Body, media: &mut Media) -> Result<(), Problem> {
-        let placement = Placement::new(body.rotate, body.at);
-        let mut outlines = Vec::new();
-        for path in shapes::outlines(&body.shape) {
+        let paths = shapes::outlines(&body.shape);
+        let mut outlines = Vec::with_capacity(paths.len());
+        for path in paths {
             let (medium, surface) = match (&body.substance, &path.medium) {
                 (Substance::Surface(surface), _) => (None, Some(*surface)),
                 (Substance::Medium(medium), _) | (Substance::Elements, Some(medium)) => (Some(media.id(medium)?), None),
@@ -173,35 +164,50 @@ impl Layout {
             };
             self.roles.push(OutlineRole { body: number, surface, closed: path.closed });
             self.media.push(medium);
-            let curves = path.curves.iter().map(|curve| placement.curve(curve)).collect();
-            outlines.push(Outline { curves, closed: path.closed, medium });
-            self.shapes.push(path.curves);
+            outlines.push(Outline { curves: path.curves, closed: path.closed, medium });
         }
         self.bodies.push(PlacedBody { name: display_name(body, number), outlines });
         Ok(())
     }
 
-    /// Every curve relative to the origin, an arc of more than half a circle as two.
-    fn boundaries(&self, scene: &Scene, origin: DVec2) -> Vec<Boundary> {
-        let mut boundaries = Vec::with_capacity(self.shapes.iter().map(Vec::len).sum());
-        let mut shapes = self.shapes.iter().enumerate();
-        for (body, placed) in scene.bodies.iter().zip(&self.bodies) {
+    /// The box around all bodies and ray starts, in scene coordinates.
+    fn bounds(&self, scene: &Scene) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for (body, shaped) in scene.bodies.iter().zip(&self.bodies) {
+            let placement = Placement::new(body.rotate, body.at);
+            for curve in shaped.outlines.iter().flat_map(|outline| &outline.curves) {
+                bounds = bounds.union(Bounds::from(&placement.curve(curve)));
+            }
+        }
+        let starts = scene.sources.iter().flat_map(|source| rays(&source.light, DVec2::ZERO)).map(|(from, _)| from);
+        bounds.union(Bounds::of(starts))
+    }
+
+    /// Every curve relative to the origin, an arc of more than half a circle as two; puts the bodies in their places.
+    fn boundaries(&mut self, scene: &Scene, origin: DVec2) -> Vec<Boundary> {
+        let count = self.bodies.iter().flat_map(|body| &body.outlines).map(|outline| outline.curves.len()).sum();
+        let mut boundaries = Vec::with_capacity(count);
+        let mut outline = 0;
+        for (body, placed) in scene.bodies.iter().zip(&mut self.bodies) {
+            let in_scene = Placement::new(body.rotate, body.at);
             // Placed anew: moving straight to the relative place rounds once, and less.
-            let placement = Placement::new(body.rotate, body.at - origin);
+            let relative = Placement::new(body.rotate, body.at - origin);
             let mut first = None;
-            for (in_scene, (outline, shape)) in placed.outlines.iter().zip(&mut shapes) {
-                let start = shape.first().map_or(DVec2::ZERO, |curve| placement.point(curve.a));
+            for Outline { curves, .. } in &mut placed.outlines {
+                let start = curves.first().map_or(DVec2::ZERO, |curve| relative.point(curve.a));
                 let mut along = first.get_or_insert(start).distance(start);
-                for (placed, curve) in in_scene.curves.iter().zip(shape) {
-                    let relative = placement.curve(curve);
+                for curve in curves {
+                    let moved = relative.curve(curve);
+                    *curve = in_scene.curve(curve);
                     // Both placements round: coordinates far from the origin of the one may be near that of the other.
-                    let reach = Bounds::from(placed).reach().max(Bounds::from(&relative).reach());
-                    let (first, second) = parts(relative);
-                    for part in [Some(first), second].into_iter().flatten() {
-                        boundaries.push(Boundary { curve: part, reach, outline, along });
-                        along += part.length();
+                    let reach = Bounds::from(&*curve).reach().max(Bounds::from(&moved).reach());
+                    let (part, rest) = parts(moved);
+                    for curve in [Some(part), rest].into_iter().flatten() {
+                        boundaries.push(Boundary { curve, reach, outline, along });
+                        along += curve.length();
                     }
                 }
+                outline += 1;
             }
         }
         boundaries

@@ -11,6 +11,9 @@ use crate::numerics::cross;
 /// Most comparisons before a chain is given up.
 const MOST_STEPS: usize = 100_000_000;
 
+/// Most curves that are looked at one by one.
+const FEW: usize = 16;
+
 /// Why a chain is no simple outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fault {
@@ -68,6 +71,10 @@ impl Tree {
 
     /// The first curve from number `from` on whose box meets `bounds` and that passes the test.
     fn first(&mut self, bounds: Bounds, from: usize, test: impl Fn(usize) -> bool) -> Option<usize> {
+        if self.leaves <= FEW {
+            let mut others = from..self.leaves;
+            return others.find(|j| self.boxes_of(*j).meets(bounds) && test(*j));
+        }
         self.waiting.clear();
         self.waiting.push((1, self.leaves));
         while let Some((node, width)) = self.waiting.pop() {
