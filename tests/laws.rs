@@ -32,6 +32,8 @@ mod oracle;
 mod overlaps;
 #[path = "laws/properties.rs"]
 mod properties;
+#[path = "laws/scale.rs"]
+mod scale;
 #[path = "laws/scenes.rs"]
 mod scenes;
 #[path = "laws/sources.rs"]

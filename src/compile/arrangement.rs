@@ -1,15 +1,21 @@
 //! The curves of all bodies cut at their common points into pieces that meet only at shared vertices, pieces that
 //! coincide merged into one.
 
-use std::collections::BTreeMap;
+use std::cell::OnceCell;
+use std::collections::HashMap;
 
 use glam::DVec2;
 
+use crate::compile::cuts::Cuts;
 use crate::compile::intersect::crossings;
+use crate::compile::lists::Lists;
 use crate::geometry::{Bounds, Curve};
 
 /// Boundaries are one where they lie within this many units in the last place of their largest coordinate.
 const COINCIDENCE: f64 = 16.0 * 0.5 * f64::EPSILON;
+
+/// No piece.
+const NONE: usize = usize::MAX;
 
 /// One curve of a body's outline, an arc of at most half a circle.
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +31,11 @@ pub(crate) struct Boundary {
 }
 
 /// A piece of boundary between two vertices.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
-    pub(crate) curve: Curve,
     pub(crate) ends: [usize; 2],
-    /// The boundaries that run here, the earliest first: it gives the curve.
-    pub(crate) members: Vec<Member>,
+    /// The first boundary that runs here, forward: it gives the curve.
+    pub(crate) boundary: usize,
 }
 
 /// A boundary that runs along a piece.
@@ -47,64 +52,92 @@ pub(crate) fn tolerance(reach: f64) -> f64 {
     COINCIDENCE * reach
 }
 
-/// Cuts the boundaries at their common points and merges what coincides.
-pub(crate) fn arrange(boundaries: &[Boundary]) -> Vec<Piece> {
-    let boxes: Vec<_> = boundaries.iter().map(|b| Bounds::from(&b.curve).grown(2.0 * tolerance(b.reach))).collect();
-    let pairs = meeting(&boxes);
-    let mut arrangement = Arrangement::new(boundaries, &pairs);
-    for &(i, j) in &pairs {
+/// The box within which a boundary may meet others.
+pub(crate) fn bounds(boundary: &Boundary) -> Bounds {
+    Bounds::from(&boundary.curve).grown(2.0 * tolerance(boundary.reach))
+}
+
+/// The pieces, and the points of their vertices.
+#[derive(Default)]
+pub(crate) struct Pieces {
+    pub(crate) list: Vec<Piece>,
+    /// The later boundaries that run along a piece, too, in order, of the few pieces that have some.
+    twins: HashMap<usize, Vec<Member>>,
+    points: Vec<DVec2>,
+}
+
+impl Pieces {
+    /// All boundaries that run along a piece, by its place in the list, in order.
+    pub(crate) fn members(&self, piece: usize) -> impl DoubleEndedIterator<Item = Member> + Clone {
+        let first = Member { boundary: self.list[piece].boundary, forward: true };
+        let twins = self.twins.get(&piece).map_or(&[][..], Vec::as_slice);
+        std::iter::once(first).chain(twins.iter().copied())
+    }
+
+    /// Where a piece runs.
+    pub(crate) fn curve(&self, boundaries: &[Boundary], piece: &Piece) -> Curve {
+        between(&self.points, piece.ends, &boundaries[piece.boundary].curve)
+    }
+}
+
+/// The part of a curve between two vertices on it.
+fn between(points: &[DVec2], ends: [usize; 2], curve: &Curve) -> Curve {
+    Curve { a: points[ends[0]], b: points[ends[1]], ..*curve }
+}
+
+/// Cuts the boundaries at their common points and merges what coincides. `pairs` are those whose boxes meet, the earlier
+/// first, sorted.
+pub(crate) fn arrange(boundaries: &[Boundary], pairs: &[(usize, usize)]) -> Pieces {
+    let mut arrangement = Arrangement::new(boundaries, pairs);
+    for &(i, j) in pairs {
         arrangement.join_ends(i, j);
     }
-    for &(i, j) in &pairs {
+    for &(i, j) in pairs {
         arrangement.cut_at_ends(i, j);
         arrangement.cut_at_ends(j, i);
     }
-    for &(i, j) in &pairs {
+    for &(i, j) in pairs {
         arrangement.cut_at_crossings(i, j);
     }
-    arrangement.pieces()
-}
-
-/// Pairs of boxes that share a point, the earlier first.
-pub(crate) fn meeting(boxes: &[Bounds]) -> Vec<(usize, usize)> {
-    let mut order: Vec<usize> = (0..boxes.len()).collect();
-    order.sort_by(|&i, &j| boxes[i].min.x.total_cmp(&boxes[j].min.x));
-    let mut pairs = Vec::new();
-    for (place, &i) in order.iter().enumerate() {
-        let reached = order[place + 1..].iter().take_while(|&&j| boxes[j].min.x <= boxes[i].max.x);
-        pairs.extend(reached.filter(|&&j| boxes[i].meets(boxes[j])).map(|&j| (i.min(j), i.max(j))));
-    }
-    pairs.sort_unstable();
-    pairs
+    let pieces = arrangement.pieces();
+    Pieces { points: arrangement.points, ..pieces }
 }
 
 struct Arrangement<'a> {
     boundaries: &'a [Boundary],
+    pairs: &'a [(usize, usize)],
+    /// The ends of boundary k are 2k and 2k + 1; those after are where boundaries cross.
     points: Vec<DVec2>,
     /// Union-find over the points: the smallest of those that are one leads.
     leader: Vec<usize>,
-    ends: Vec<[usize; 2]>,
-    cuts: Vec<Vec<usize>>,
-    /// Boundaries whose boxes meet a boundary's.
-    neighbors: Vec<Vec<usize>>,
+    /// The points at which boundaries are cut, of those that are.
+    cuts: HashMap<usize, Cuts>,
+    /// Boundaries whose boxes meet a boundary's; rarely asked for.
+    neighbors: OnceCell<Lists>,
+}
+
+/// The end points of a boundary.
+fn ends(boundary: usize) -> [usize; 2] {
+    [2 * boundary, 2 * boundary + 1]
 }
 
 impl<'a> Arrangement<'a> {
-    fn new(boundaries: &'a [Boundary], pairs: &[(usize, usize)]) -> Self {
-        let mut neighbors = vec![Vec::new(); boundaries.len()];
-        for &(i, j) in pairs {
-            neighbors[i].push(j);
-            neighbors[j].push(i);
-        }
+    fn new(boundaries: &'a [Boundary], pairs: &'a [(usize, usize)]) -> Self {
         let points: Vec<_> = boundaries.iter().flat_map(|b| [b.curve.a, b.curve.b]).collect();
-        Self {
-            boundaries,
-            leader: (0..points.len()).collect(),
-            ends: (0..boundaries.len()).map(|i| [2 * i, 2 * i + 1]).collect(),
-            cuts: vec![Vec::new(); boundaries.len()],
-            neighbors,
-            points,
-        }
+        let leader = (0..points.len()).collect();
+        Self { boundaries, pairs, points, leader, cuts: HashMap::new(), neighbors: OnceCell::new() }
+    }
+
+    fn cut(&mut self, boundary: usize, point: usize) {
+        let p = self.at(point);
+        self.cuts.entry(boundary).or_default().push(point, p, &self.boundaries[boundary].curve);
+    }
+
+    /// The ends of a boundary and those of its cuts that may be within `tolerance` of a point, in order.
+    fn vertices_near(&self, boundary: usize, p: DVec2, tolerance: f64) -> impl Iterator<Item = usize> {
+        // Points move by a few tolerances as more of them become one.
+        let cuts = |cuts: &Cuts| cuts.near(p, 64.0 * tolerance, &self.boundaries[boundary].curve);
+        ends(boundary).into_iter().chain(self.cuts.get(&boundary).map(cuts).unwrap_or_default())
     }
 
     fn vertex(&self, point: usize) -> usize {
@@ -130,8 +163,8 @@ impl<'a> Arrangement<'a> {
 
     fn join_ends(&mut self, i: usize, j: usize) {
         let tolerance = self.pair_tolerance(i, j);
-        for first in self.ends[i] {
-            for second in self.ends[j] {
+        for first in ends(i) {
+            for second in ends(j) {
                 if self.points[first].distance(self.points[second]) <= tolerance {
                     self.unite(first, second);
                 }
@@ -142,10 +175,10 @@ impl<'a> Arrangement<'a> {
     /// Cuts boundary `i` where an end of `j` lies on it.
     fn cut_at_ends(&mut self, i: usize, j: usize) {
         let tolerance = self.pair_tolerance(i, j);
-        for end in self.ends[j] {
+        for end in ends(j) {
             let p = self.at(end);
-            if self.known_at(i, p, tolerance).is_none() && lies_on(&self.boundaries[i].curve, p, tolerance) {
-                self.cuts[i].push(end);
+            if lies_on(&self.boundaries[i].curve, p, tolerance) && self.known_at(i, p, tolerance).is_none() {
+                self.cut(i, end);
             }
         }
     }
@@ -167,7 +200,7 @@ impl<'a> Arrangement<'a> {
             }
             for (boundary, known) in [(i, known[0]), (j, known[1])] {
                 if known.is_none() {
-                    self.cuts[boundary].push(vertex);
+                    self.cut(boundary, vertex);
                 }
             }
             if known == [None, None] {
@@ -181,10 +214,11 @@ impl<'a> Arrangement<'a> {
     /// angle meets them in places that are farther apart than they are.
     fn cut_coincident(&mut self, i: usize, vertex: usize) {
         let p = self.at(vertex);
-        for k in self.neighbors[i].clone() {
+        let lists = self.neighbors.get_or_init(|| Lists::of_pairs(self.boundaries.len(), self.pairs));
+        for k in lists.of(i).to_vec() {
             let tolerance = self.pair_tolerance(i, k);
             if lies_on(&self.boundaries[k].curve, p, tolerance) && self.known_at(k, p, tolerance).is_none() {
-                self.cuts[k].push(vertex);
+                self.cut(k, vertex);
             }
         }
     }
@@ -192,8 +226,15 @@ impl<'a> Arrangement<'a> {
     /// Whether two boundaries share a vertex and are one from there to a point where they cross: at a small angle they cross
     /// again beside it by rounding.
     fn meet_before(&self, i: usize, j: usize, p: DVec2, tolerance: f64) -> bool {
-        let vertices = |k: usize| self.ends[k].iter().chain(&self.cuts[k]).map(|&point| self.vertex(point));
-        let shared = vertices(i).filter(|vertex| vertices(j).any(|other| other == *vertex));
+        let vertex = |point: usize| self.vertex(point);
+        let number = |k: &usize| self.cuts.get(k).map_or(0, |cuts| cuts.all().len());
+        let (few, many) = if number(&i) <= number(&j) { (i, j) } else { (j, i) };
+        let of_few = ends(few).into_iter().chain(self.cuts.get(&few).map_or(&[][..], Cuts::all).iter().copied());
+        let is_shared = |vertex: &usize| {
+            let mut others = self.vertices_near(many, self.points[*vertex], tolerance);
+            others.any(|other| self.vertex(other) == *vertex)
+        };
+        let shared = of_few.map(vertex).filter(is_shared);
         let [first, second] = [i, j].map(|k| &self.boundaries[k].curve);
         let apart = |vertex: usize| second.offset(first.project(self.points[vertex].midpoint(p))).abs();
         shared.into_iter().any(|vertex| apart(vertex) <= tolerance)
@@ -201,48 +242,59 @@ impl<'a> Arrangement<'a> {
 
     /// The end or cut of a boundary within `tolerance` of a point.
     fn known_at(&self, boundary: usize, p: DVec2, tolerance: f64) -> Option<usize> {
-        let points = self.ends[boundary].iter().chain(&self.cuts[boundary]);
-        points.copied().find(|&point| self.at(point).distance(p) <= tolerance)
+        self.vertices_near(boundary, p, tolerance).find(|&point| self.at(point).distance(p) <= tolerance)
     }
 
-    fn pieces(&self) -> Vec<Piece> {
-        let mut pieces: Vec<Piece> = Vec::new();
-        let mut between: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
-        for (boundary, part) in (0..self.boundaries.len()).flat_map(|i| self.parts(i).into_iter().map(move |p| (i, p)))
-        {
-            let [from, to] = part.ends;
-            let same = between.entry([from.min(to), from.max(to)]).or_default();
-            let middle = part.curve.midpoint();
-            let runs_along =
-                |piece: &Piece| lies_on(&piece.curve, middle, self.pair_tolerance(boundary, piece.members[0].boundary));
-            let twin = same.iter().copied().find(|&k| runs_along(&pieces[k]));
-            if let Some(k) = twin {
-                let forward = pieces[k].ends[0] == from;
-                pieces[k].members.push(Member { boundary, forward });
-            } else {
-                same.push(pieces.len());
-                pieces.push(Piece { members: vec![Member { boundary, forward: true }], ..part });
-            }
+    /// The pieces, without their points.
+    fn pieces(&self) -> Pieces {
+        let mut pieces = Pieces { list: Vec::with_capacity(self.boundaries.len()), ..Pieces::default() };
+        // The last piece at each vertex that is the smaller of its two, and for each piece the one before it there.
+        let mut last = vec![NONE; self.points.len()];
+        let mut before: Vec<usize> = Vec::with_capacity(self.boundaries.len());
+        for boundary in 0..self.boundaries.len() {
+            self.each_part(boundary, |ends| {
+                let smaller = ends[0].min(ends[1]);
+                let there = std::iter::successors(Some(last[smaller]), |k| before.get(*k).copied());
+                // The earliest that qualifies.
+                let is_twin = |k: &usize| self.run_together(&pieces.list[*k], boundary, ends);
+                if let Some(k) = there.take_while(|k| *k != NONE).filter(is_twin).last() {
+                    let forward = pieces.list[k].ends[0] == ends[0];
+                    pieces.twins.entry(k).or_default().push(Member { boundary, forward });
+                } else {
+                    before.push(last[smaller]);
+                    last[smaller] = pieces.list.len();
+                    pieces.list.push(Piece { ends, boundary });
+                }
+            });
         }
         pieces
     }
 
-    /// A boundary cut at its vertices, without members yet.
-    fn parts(&self, boundary: usize) -> Vec<Piece> {
-        let curve = self.boundaries[boundary].curve;
-        let [first, last] = self.ends[boundary].map(|end| self.vertex(end));
-        let mut vertices: Vec<usize> = self.cuts[boundary].iter().map(|&cut| self.vertex(cut)).collect();
-        vertices.retain(|&vertex| vertex != first && vertex != last);
-        vertices.sort_by(|&u, &v| curve.along(self.points[u]).total_cmp(&curve.along(self.points[v])));
-        vertices.insert(0, first);
-        vertices.push(last);
-        vertices.dedup();
-        let part = |ends: &[usize]| Piece {
-            curve: Curve { a: self.points[ends[0]], b: self.points[ends[1]], ..curve },
-            ends: [ends[0], ends[1]],
-            members: Vec::new(),
-        };
-        vertices.windows(2).map(part).collect()
+    /// Whether the part of a boundary between two vertices runs along a piece.
+    fn run_together(&self, piece: &Piece, boundary: usize, ends: [usize; 2]) -> bool {
+        let same_ends = piece.ends == ends || piece.ends == [ends[1], ends[0]];
+        let curve = |ends, boundary: usize| between(&self.points, ends, &self.boundaries[boundary].curve);
+        same_ends && {
+            let middle = curve(ends, boundary).midpoint();
+            let tolerance = self.pair_tolerance(boundary, piece.boundary);
+            lies_on(&curve(piece.ends, piece.boundary), middle, tolerance)
+        }
+    }
+
+    /// Visits the parts of a boundary between its vertices, in order.
+    fn each_part(&self, boundary: usize, mut visit: impl FnMut([usize; 2])) {
+        let [first, last] = ends(boundary).map(|end| self.vertex(end));
+        let curve = &self.boundaries[boundary].curve;
+        let cuts = self.cuts.get(&boundary).map_or(&[][..], Cuts::all).iter().map(|&cut| self.vertex(cut));
+        let mut inner: Vec<usize> = cuts.filter(|&vertex| vertex != first && vertex != last).collect();
+        inner.sort_by(|&u, &v| curve.along(self.points[u]).total_cmp(&curve.along(self.points[v])));
+        let mut from = first;
+        for to in inner.into_iter().chain([last]) {
+            if to != from {
+                visit([from, to]);
+                from = to;
+            }
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 //! Gaps between bodies too thin to be meant.
 
+use std::collections::HashMap;
+
 use glam::DVec2;
 
-use crate::compile::arrangement::meeting;
+use crate::compile::lists::Lists;
 use crate::geometry::{Bounds, Curve};
 use crate::system::Interface;
 
@@ -18,22 +20,52 @@ pub(crate) struct Gap {
     pub(crate) width: f64,
 }
 
+/// How far apart the boxes of boundaries may be where they make a gap.
+pub(crate) const MARGIN: f64 = 2.0 * THINNEST;
+
 /// The thinnest gap of each pair of bodies, where it is thinner than light and yet no contact. What a later body covers
 /// is no boundary any more and makes no gap. Distances below `near` are rounding.
-pub(crate) fn gaps(interfaces: &[Interface], near: f64) -> Vec<Gap> {
-    let mut found: Vec<Gap> = Vec::new();
-    let boxes: Vec<_> = interfaces.iter().map(|interface| Bounds::from(&interface.curve).grown(THINNEST)).collect();
-    for (i, j) in meeting(&boxes) {
-        let (first, second) = (&interfaces[i], &interfaces[j]);
-        let (earlier, later) = (first.body.min(second.body), first.body.max(second.body));
-        let apart = (earlier != later).then(|| distance(&first.curve, &second.curve)).flatten();
-        let Some(width) = apart.filter(|width| near < *width && *width < THINNEST) else { continue };
-        match found.iter_mut().find(|gap| (gap.earlier, gap.later) == (earlier, later)) {
-            Some(gap) => gap.width = gap.width.min(width),
-            None => found.push(Gap { earlier, later, width }),
+///
+/// `of_run` tells which interfaces lie on the boundaries of a run, and `neighbors` which runs come within [`MARGIN`].
+pub(crate) fn gaps(interfaces: &[Interface], of_run: &[usize], neighbors: &Lists, near: f64) -> Vec<Gap> {
+    let mut found = Found::default();
+    for run in 0..of_run.len() - 1 {
+        for i in of_run[run]..of_run[run + 1] {
+            let others = neighbors.of(run).iter().filter(|other| **other >= run);
+            let others = others.flat_map(|other| of_run[*other]..of_run[other + 1]);
+            for j in others.filter(|j| *j > i && interfaces[*j].body != interfaces[i].body) {
+                if let Some(width) = width(&interfaces[i], &interfaces[j]).filter(|width| near < *width) {
+                    found.add(interfaces[i].body, interfaces[j].body, width);
+                }
+            }
         }
     }
-    found
+    found.list
+}
+
+/// The gap between two interfaces, if it is thin enough.
+fn width(first: &Interface, second: &Interface) -> Option<f64> {
+    let [one, other] = [first, second].map(|interface| Bounds::from(&interface.curve).grown(THINNEST));
+    let apart = one.meets(other).then(|| distance(&first.curve, &second.curve)).flatten();
+    apart.filter(|width| *width < THINNEST)
+}
+
+/// Gaps in the order in which they were found, one for a pair of bodies.
+#[derive(Default)]
+struct Found {
+    list: Vec<Gap>,
+    places: HashMap<[usize; 2], usize>,
+}
+
+impl Found {
+    fn add(&mut self, one: usize, other: usize, width: f64) {
+        let (earlier, later) = (one.min(other), one.max(other));
+        let place = *self.places.entry([earlier, later]).or_insert(self.list.len());
+        match self.list.get_mut(place) {
+            Some(gap) => gap.width = gap.width.min(width),
+            None => self.list.push(Gap { earlier, later, width }),
+        }
+    }
 }
 
 /// Smallest distance from ends, middles and facing points of two curves to the other one; `None` where no such point

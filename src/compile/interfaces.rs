@@ -1,17 +1,23 @@
 //! From the arrangement's pieces to interfaces: the medium on each side, and what acts there.
 
-use std::collections::BTreeMap;
+use std::ops::Range;
 
-use crate::compile::arrangement::{Boundary, Member, Piece};
-use crate::compile::region::Region;
+use glam::DVec2;
+
+use crate::compile::arrangement::{Boundary, Member, Piece, Pieces};
+use crate::compile::lists::Lists;
+use crate::compile::region::{Region, Regions};
+use crate::compile::runs::Runs;
+use crate::geometry::Curve;
 use crate::scene::Surface;
 use crate::system::{Action, Interface, MediumId, VertexId};
 
 /// What the interfaces of a scene are made from.
 pub(crate) struct Sides<'a> {
     pub(crate) boundaries: &'a [Boundary],
-    /// In painter's order.
-    pub(crate) regions: &'a [Region],
+    pub(crate) runs: &'a Runs,
+    pub(crate) neighbors: &'a Lists,
+    pub(crate) regions: &'a Regions<'a>,
     pub(crate) outlines: &'a [OutlineRole],
     pub(crate) surroundings: MediumId,
 }
@@ -32,38 +38,61 @@ pub(crate) fn is_interface(wall: &Interface) -> bool {
 
 impl Sides<'_> {
     /// The pieces with what lies on their sides, those between equal media too.
-    pub(crate) fn walls(&self, pieces: &[Piece]) -> Vec<Interface> {
-        let mut vertices = BTreeMap::new();
-        let mut vertex = |point: usize| {
-            let next = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-            VertexId(*vertices.entry(point).or_insert(next))
+    pub(crate) fn walls(&self, pieces: &Pieces) -> Vec<Interface> {
+        let mut vertices = Vertices::default();
+        let mut nearby = Nearby { run: None, regions: Vec::new() };
+        let mut wall = |(k, piece): (usize, &Piece)| {
+            let curve = pieces.curve(self.boundaries, piece);
+            self.find_regions(piece.boundary, &mut nearby);
+            let [left, right] = self.media_beside(&pieces.members(k), curve.midpoint(), &nearby.regions);
+            let (action, body) = self.role_of(pieces.members(k), &curve);
+            Interface { curve, ends: piece.ends.map(|end| vertices.id(end)), left, right, action, body }
         };
-        pieces.iter().map(|piece| Interface { ends: piece.ends.map(&mut vertex), ..self.wall(piece) }).collect()
+        pieces.list.iter().enumerate().map(&mut wall).collect()
     }
 
-    fn wall(&self, piece: &Piece) -> Interface {
-        let (left, right) = (self.medium_beside(piece, true), self.medium_beside(piece, false));
-        let surface = piece.members.iter().rev().find_map(|member| Some((member, self.surface_of(member)?)));
-        let (action, body) = match surface {
-            Some((member, surface)) => (self.action(surface, member, piece), self.role(member).body),
-            None => (Action::Refract, piece.members.iter().map(|member| self.role(member).body).max().unwrap_or(0)),
-        };
-        Interface { curve: piece.curve, ends: [VertexId(0); 2], left, right, action, body }
+    /// Regions that may hold the sides of a boundary: those near its run.
+    fn find_regions<'a>(&'a self, boundary: usize, nearby: &mut Nearby<'a>) {
+        if nearby.run.as_ref().is_none_or(|run| !run.contains(&boundary)) {
+            let run = self.runs.run_of(boundary);
+            // Its box is larger than boundaries that coincide are apart.
+            self.regions.near(self.neighbors.of(run), self.runs.around()[run], &mut nearby.regions);
+            nearby.run = Some(self.runs.range(run));
+        }
     }
 
-    /// The medium of the last region that holds the piece's left (or right) side.
-    fn medium_beside(&self, piece: &Piece, left: bool) -> MediumId {
-        let middle = piece.curve.midpoint();
-        let holds = |region: &&Region| {
-            let is_own = |member: &&Member| self.boundaries[member.boundary].outline == region.outline;
-            let own: Vec<_> = piece.members.iter().filter(is_own).collect();
-            match own[..] {
+    /// The media of the last regions that hold a piece's left side and its right one.
+    fn media_beside(
+        &self,
+        members: &(impl Iterator<Item = Member> + Clone),
+        middle: DVec2,
+        regions: &[&Region],
+    ) -> [MediumId; 2] {
+        let mut media = [None; 2];
+        for region in regions {
+            let mut own = members.clone().filter(|member| self.boundaries[member.boundary].outline == region.outline);
+            let holds = match (own.next(), own.count() % 2) {
+                (Some(Member { forward, .. }), 0) => [true, false].map(|left| (region.inside_left == forward) == left),
                 // An outline that runs here there and back leaves both sides alike.
-                [member, ..] if own.len() % 2 == 1 => (region.inside_left == member.forward) == left,
-                _ => region.contains(middle),
+                _ => [region.contains(middle); 2],
+            };
+            for (medium, holds) in media.iter_mut().zip(holds) {
+                *medium = medium.or(holds.then_some(region.medium));
             }
-        };
-        self.regions.iter().rev().find(holds).map_or(self.surroundings, |region| region.medium)
+            if media.iter().all(Option::is_some) {
+                break;
+            }
+        }
+        media.map(|medium| medium.unwrap_or(self.surroundings))
+    }
+
+    /// What a piece does, and the body that a hit there names.
+    fn role_of(&self, members: impl DoubleEndedIterator<Item = Member> + Clone, curve: &Curve) -> (Action, usize) {
+        let surface = members.clone().rev().find_map(|member| Some((member, self.surface_of(&member)?)));
+        match surface {
+            Some((member, surface)) => (self.action(surface, &member, curve), self.role(&member).body),
+            None => (Action::Refract, members.map(|member| self.role(&member).body).max().unwrap_or(0)),
+        }
     }
 
     fn role(&self, member: &Member) -> OutlineRole {
@@ -74,13 +103,13 @@ impl Sides<'_> {
         self.role(member).surface
     }
 
-    fn action(&self, surface: Surface, member: &Member, piece: &Piece) -> Action {
+    fn action(&self, surface: Surface, member: &Member, curve: &Curve) -> Action {
         let boundary = &self.boundaries[member.boundary];
         match surface {
             Surface::Mirror => Action::Mirror,
             Surface::Absorber => Action::Absorb,
             Surface::Screen => Action::Detect {
-                along: boundary.along + boundary.curve.length_to(piece.curve.a),
+                along: boundary.along + boundary.curve.length_to(curve.a),
                 sense: if member.forward { 1.0 } else { -1.0 },
                 perimeter: self.role(member).closed.then(|| self.length(boundary.outline)),
             },
@@ -93,5 +122,34 @@ impl Sides<'_> {
     fn length(&self, outline: usize) -> f64 {
         let end = self.boundaries.partition_point(|boundary| boundary.outline <= outline);
         self.boundaries[..end].last().map_or(0.0, |last| last.along + last.curve.length())
+    }
+}
+
+/// The regions near a run of boundaries.
+struct Nearby<'a> {
+    run: Option<Range<usize>>,
+    regions: Vec<&'a Region<'a>>,
+}
+
+/// Numbers of vertices, in the order of their first use.
+#[derive(Default)]
+struct Vertices {
+    /// By point; `UNKNOWN` where there is none yet.
+    ids: Vec<u32>,
+    used: u32,
+}
+
+impl Vertices {
+    const UNKNOWN: u32 = u32::MAX;
+
+    fn id(&mut self, point: usize) -> VertexId {
+        if point >= self.ids.len() {
+            self.ids.resize((point + 1).max(2 * self.ids.len()), Self::UNKNOWN);
+        }
+        if self.ids[point] == Self::UNKNOWN {
+            self.ids[point] = self.used;
+            self.used += 1;
+        }
+        VertexId(self.ids[point])
     }
 }

@@ -3,20 +3,26 @@
 
 mod arrangement;
 mod cells;
+mod cuts;
 mod gaps;
 mod interfaces;
 mod intersect;
+mod lists;
 mod origin;
 mod region;
+mod runs;
 mod shapes;
 mod sources;
+
+use std::collections::HashMap;
 
 use glam::DVec2;
 
 use crate::compile::arrangement::{Boundary, arrange};
 use crate::compile::gaps::{Gap, gaps};
 use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
-use crate::compile::region::Region;
+use crate::compile::region::Regions;
+use crate::compile::runs::Runs;
 use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, BoxTree, Curve, Placement};
 use crate::media::Dispersion;
@@ -56,26 +62,40 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     for (number, body) in scene.bodies.iter().enumerate() {
         layout.add(number, body, &mut media)?;
     }
-    let origin = origin::origin(bounds(scene, &layout.bodies));
+    let origin = origin::origin(layout.bounds(scene));
     let boundaries = layout.boundaries(scene, origin);
-    let regions = layout.regions(&boundaries);
-    let pieces = arrange(&boundaries);
-    let sides = Sides { boundaries: &boundaries, regions: &regions, outlines: &layout.roles, surroundings };
-    let walls = sides.walls(&pieces);
-    let interfaces: Vec<_> = walls.iter().filter(|wall| is_interface(wall)).cloned().collect();
-    let near = rounding(&interfaces, origin);
-    let ground = Ground { origin, walls: &walls, near, regions: &regions, surroundings };
+    let runs = Runs::new(boundaries.iter().map(arrangement::bounds).collect());
+    let neighbors = runs.neighbors(gaps::MARGIN);
+    let regions = Regions::new(&boundaries, &runs, &layout.media);
+    let pieces = arrange(&boundaries, &runs.pairs(&neighbors));
+    let sides = Sides {
+        boundaries: &boundaries,
+        runs: &runs,
+        neighbors: &neighbors,
+        regions: &regions,
+        outlines: &layout.roles,
+        surroundings,
+    };
+    let mut walls = sides.walls(&pieces);
+    let near = rounding(walls.iter().filter(|wall| is_interface(wall)), origin);
+    let dropped: Vec<_> = (0..walls.len()).filter(|k| !is_interface(&walls[*k])).collect();
+    let firsts = runs.firsts(pieces.list.iter().map(|piece| piece.boundary));
+    let ground = Ground { origin, walls: &walls, dropped, runs: &runs, firsts, near, regions: &regions, surroundings };
     let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
+    let kept = pieces.list.iter().zip(&walls).filter(|(_, wall)| is_interface(wall));
+    let firsts = runs.firsts(kept.map(|(piece, _)| piece.boundary));
+    let dropped = ground.dropped.len();
+    walls.retain(is_interface);
+    let warnings = gaps(&walls, &firsts, &neighbors, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
-    let warnings = gaps(&interfaces, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
-    let boxes: Vec<_> = interfaces.iter().map(|one| Bounds::from(&one.curve).grown(2.0 * near)).collect();
+    let boxes: Vec<_> = walls.iter().map(|wall| Bounds::from(&wall.curve).grown(2.0 * near)).collect();
     let tree = BoxTree::new(&boxes);
     let system = OpticalSystem {
         origin,
         near,
-        cells: cells::cells(&interfaces, &boxes, &tree),
-        tree: (interfaces.len() > FEW).then_some(tree),
-        dropped: walls.len() - interfaces.len(),
+        cells: cells::cells(&walls, &boxes, &tree),
+        tree: (walls.len() > FEW).then_some(tree),
+        dropped,
         media: media.list,
         surroundings,
         screens: (0..scene.bodies.len()).filter(|&k| is_screen(&scene.bodies[k])).collect(),
@@ -83,7 +103,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         sources,
         settings: scene.trace,
         title: scene.title.clone(),
-        interfaces,
+        interfaces: walls,
     };
     Ok(Compiled { system, warnings })
 }
@@ -91,14 +111,6 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
 /// Problems of a scene whose text is not at hand.
 fn unplaced(problems: Vec<Problem>) -> Problems {
     Problems::new(problems, String::new(), String::new())
-}
-
-/// The box around all bodies and ray starts, in scene coordinates.
-fn bounds(scene: &Scene, bodies: &[PlacedBody]) -> Bounds {
-    let curves = bodies.iter().flat_map(|body| &body.outlines).flat_map(|outline| &outline.curves);
-    let around_bodies = curves.map(Bounds::from).fold(Bounds::EMPTY, Bounds::union);
-    let starts = scene.sources.iter().flat_map(|source| rays(&source.light, DVec2::ZERO)).map(|(from, _)| from);
-    around_bodies.union(Bounds::of(starts))
 }
 
 fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
@@ -125,13 +137,15 @@ fn display_name(body: &Body, number: usize) -> String {
 #[derive(Default)]
 struct Media {
     list: Vec<Dispersion>,
+    places: HashMap<Dispersion, usize>,
 }
 
 impl Media {
     fn id(&mut self, medium: &Medium) -> Result<MediumId, Problem> {
         let dispersion = medium.dispersion()?;
-        let place = self.list.iter().position(|known| *known == dispersion).unwrap_or_else(|| {
-            self.list.push(dispersion);
+        let place = self.places.get(&dispersion).copied().unwrap_or_else(|| {
+            self.list.push(dispersion.clone());
+            self.places.insert(dispersion, self.list.len() - 1);
             self.list.len() - 1
         });
         Ok(MediumId(u32::try_from(place).unwrap_or(u32::MAX)))
@@ -141,6 +155,7 @@ impl Media {
 /// The outlines of all bodies, in painter's order.
 #[derive(Default)]
 struct Layout {
+    /// Not in their places until the boundaries are made.
     bodies: Vec<PlacedBody>,
     roles: Vec<OutlineRole>,
     media: Vec<Option<MediumId>>,
@@ -148,9 +163,9 @@ struct Layout {
 
 impl Layout {
     fn add(&mut self, number: usize, body: &Body, media: &mut Media) -> Result<(), Problem> {
-        let placement = Placement::new(body.rotate, body.at);
-        let mut outlines = Vec::new();
-        for path in shapes::outlines(&body.shape) {
+        let paths = shapes::outlines(&body.shape);
+        let mut outlines = Vec::with_capacity(paths.len());
+        for path in paths {
             let (medium, surface) = match (&body.substance, &path.medium) {
                 (Substance::Surface(surface), _) => (None, Some(*surface)),
                 (Substance::Medium(medium), _) | (Substance::Elements, Some(medium)) => (Some(media.id(medium)?), None),
@@ -158,32 +173,47 @@ impl Layout {
             };
             self.roles.push(OutlineRole { body: number, surface, closed: path.closed });
             self.media.push(medium);
-            let curves = path.curves.iter().map(|curve| placement.curve(curve)).collect();
-            outlines.push(Outline { curves, closed: path.closed, medium });
+            outlines.push(Outline { curves: path.curves, closed: path.closed, medium });
         }
         self.bodies.push(PlacedBody { name: display_name(body, number), outlines });
         Ok(())
     }
 
-    /// Every curve relative to the origin, an arc of more than half a circle as two.
-    fn boundaries(&self, scene: &Scene, origin: DVec2) -> Vec<Boundary> {
-        let mut boundaries = Vec::new();
+    /// The box around all bodies and ray starts, in scene coordinates.
+    fn bounds(&self, scene: &Scene) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for (body, shaped) in scene.bodies.iter().zip(&self.bodies) {
+            let placement = Placement::new(body.rotate, body.at);
+            for curve in shaped.outlines.iter().flat_map(|outline| &outline.curves) {
+                bounds = bounds.union(Bounds::from(&placement.curve(curve)));
+            }
+        }
+        let starts = scene.sources.iter().flat_map(|source| rays(&source.light, DVec2::ZERO)).map(|(from, _)| from);
+        bounds.union(Bounds::of(starts))
+    }
+
+    /// Every curve relative to the origin, an arc of more than half a circle as two; puts the bodies in their places.
+    fn boundaries(&mut self, scene: &Scene, origin: DVec2) -> Vec<Boundary> {
+        let count = self.bodies.iter().flat_map(|body| &body.outlines).map(|outline| outline.curves.len()).sum();
+        let mut boundaries = Vec::with_capacity(count);
         let mut outline = 0;
-        for (body, placed) in scene.bodies.iter().zip(&self.bodies) {
+        for (body, placed) in scene.bodies.iter().zip(&mut self.bodies) {
+            let in_scene = Placement::new(body.rotate, body.at);
             // Placed anew: moving straight to the relative place rounds once, and less.
-            let placement = Placement::new(body.rotate, body.at - origin);
+            let relative = Placement::new(body.rotate, body.at - origin);
             let mut first = None;
-            for (path, in_scene) in shapes::outlines(&body.shape).iter().zip(&placed.outlines) {
-                let curves: Vec<_> = path.curves.iter().map(|curve| placement.curve(curve)).collect();
-                // Both placements round: coordinates far from the origin of the one may be near that of the other.
-                let reach = |(placed, relative)| Bounds::from(placed).reach().max(Bounds::from(relative).reach());
-                let reaches = in_scene.curves.iter().zip(&curves).map(reach);
-                let start = curves.first().map_or(DVec2::ZERO, |curve| curve.a);
+            for Outline { curves, .. } in &mut placed.outlines {
+                let start = curves.first().map_or(DVec2::ZERO, |curve| relative.point(curve.a));
                 let mut along = first.get_or_insert(start).distance(start);
-                for (curve, reach) in curves.iter().zip(reaches) {
-                    for part in parts(curve) {
-                        boundaries.push(Boundary { curve: part, reach, outline, along });
-                        along += part.length();
+                for curve in curves {
+                    let moved = relative.curve(curve);
+                    *curve = in_scene.curve(curve);
+                    // Both placements round: coordinates far from the origin of the one may be near that of the other.
+                    let reach = Bounds::from(&*curve).reach().max(Bounds::from(&moved).reach());
+                    let (part, rest) = parts(moved);
+                    for curve in [Some(part), rest].into_iter().flatten() {
+                        boundaries.push(Boundary { curve, reach, outline, along });
+                        along += curve.length();
                     }
                 }
                 outline += 1;
@@ -191,20 +221,14 @@ impl Layout {
         }
         boundaries
     }
-
-    fn regions(&self, boundaries: &[Boundary]) -> Vec<Region> {
-        let mut regions = Vec::new();
-        for of_outline in boundaries.chunk_by(|a, b| a.outline == b.outline) {
-            let outline = of_outline[0].outline;
-            if let Some(medium) = self.media[outline] {
-                regions.push(Region::new(outline, medium, of_outline.iter().map(|b| b.curve).collect()));
-            }
-        }
-        regions
-    }
 }
 
 /// A curve as arcs of at most half a circle.
-fn parts(curve: &Curve) -> Vec<Curve> {
-    if curve.spans_more_than_half() { curve.halves().to_vec() } else { vec![*curve] }
+fn parts(curve: Curve) -> (Curve, Option<Curve>) {
+    if curve.spans_more_than_half() {
+        let [first, second] = curve.halves();
+        (first, Some(second))
+    } else {
+        (curve, None)
+    }
 }

@@ -18,11 +18,11 @@ pub(crate) struct Path {
 /// The lines of a shape in the order written.
 pub(crate) fn outlines(shape: &Shape) -> Vec<Path> {
     match shape {
-        Shape::Polygon(points) => vec![polygon(points.clone())],
+        Shape::Polygon(points) => vec![polygon(points)],
         Shape::Rectangle { width, height } => vec![rectangle(*width, *height)],
         Shape::RegularPolygon { sides, radius } => vec![regular_polygon(*sides, *radius)],
         Shape::Prism { apex_angle, side } => vec![prism(*apex_angle, *side)],
-        Shape::RightAnglePrism { leg } => vec![polygon(vec![DVec2::ZERO, *leg * DVec2::X, *leg * DVec2::Y])],
+        Shape::RightAnglePrism { leg } => vec![polygon(&[DVec2::ZERO, *leg * DVec2::X, *leg * DVec2::Y])],
         Shape::Disk { radius } => vec![closed(disk(*radius))],
         Shape::HalfDisk { radius } => vec![closed(half_disk(*radius))],
         Shape::Lens { radii, thickness, diameter, facets } => {
@@ -47,26 +47,26 @@ fn open(curves: Vec<Curve>) -> Path {
     Path { curves, closed: false, medium: None }
 }
 
-fn polygon(points: Vec<DVec2>) -> Path {
+fn polygon(points: &[DVec2]) -> Path {
     let next = points.iter().cycle().skip(1);
     closed(points.iter().zip(next).map(|(a, b)| Curve::line(*a, *b)).collect())
 }
 
 fn rectangle(width: f64, height: f64) -> Path {
     let corner = 0.5 * DVec2::new(width, height);
-    polygon(vec![-corner, DVec2::new(corner.x, -corner.y), corner, DVec2::new(-corner.x, corner.y)])
+    polygon(&[-corner, DVec2::new(corner.x, -corner.y), corner, DVec2::new(-corner.x, corner.y)])
 }
 
 fn regular_polygon(sides: u32, radius: f64) -> Path {
     let vertex = |k: u32| radius * Turn::degrees(90.0 + 360.0 * (f64::from(k) / f64::from(sides))).direction();
-    polygon((0..sides).map(vertex).collect())
+    polygon(&(0..sides).map(vertex).collect::<Vec<_>>())
 }
 
 fn prism(apex_angle: f64, side: f64) -> Path {
     let half = Turn::degrees(0.5 * apex_angle);
     let (height, half_base) = (side * half.cos, side * half.sin);
     let (top, base) = (2.0 * height / 3.0, -height / 3.0);
-    polygon(vec![DVec2::new(-half_base, base), DVec2::new(half_base, base), DVec2::new(0.0, top)])
+    polygon(&[DVec2::new(-half_base, base), DVec2::new(half_base, base), DVec2::new(0.0, top)])
 }
 
 fn disk(radius: f64) -> Vec<Curve> {

@@ -4,8 +4,9 @@ use glam::DVec2;
 
 use crate::compile::arrangement::{lies_on, tolerance};
 use crate::compile::interfaces::is_interface;
-use crate::compile::region::Region;
-use crate::geometry::Curve;
+use crate::compile::region::Regions;
+use crate::compile::runs::Runs;
+use crate::geometry::{Bounds, Curve};
 use crate::light::{Power, Wavelength};
 use crate::numerics::{Turn, cross, side};
 use crate::scene::{Direction, Light, Polarization, Source};
@@ -16,10 +17,14 @@ pub(crate) struct Ground<'a> {
     pub(crate) origin: DVec2,
     /// Boundaries between equal media too.
     pub(crate) walls: &'a [Interface],
+    /// The walls between equal media, by their places.
+    pub(crate) dropped: Vec<usize>,
+    /// Runs of what the walls are pieces of, and the first wall of each.
+    pub(crate) runs: &'a Runs,
+    pub(crate) firsts: Vec<usize>,
     /// Distances below this are rounding.
     pub(crate) near: f64,
-    /// In painter's order.
-    pub(crate) regions: &'a [Region],
+    pub(crate) regions: &'a Regions<'a>,
     pub(crate) surroundings: MediumId,
 }
 
@@ -84,42 +89,56 @@ impl Ground<'_> {
 
     /// The medium that a ray starts in, and the boundary it starts on and must not hit there.
     fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
+        let walls = self.walls_near(from);
         let (start, medium) = self
-            .at_vertex(from, direction)
-            .or_else(|| self.on_wall(from, direction))
-            .unwrap_or_else(|| (Start::Free, self.medium_at(from)));
+            .at_vertex(from, direction, &walls)
+            .or_else(|| self.on_wall(from, direction, &walls))
+            .unwrap_or_else(|| (Start::Free, self.medium_at(from, &walls)));
         RayStart { from, direction, medium, start }
+    }
+
+    /// The places of all walls that a ray may start on or beside, up to rounding, in order.
+    fn walls_near(&self, p: DVec2) -> Vec<usize> {
+        let mut places = Vec::new();
+        let margin = self.near + tolerance(self.reach(p));
+        let around = Bounds { min: p, max: p }.grown(margin);
+        self.runs.meeting(around, |run| places.extend(self.firsts[run]..self.firsts[run + 1]));
+        places.sort_unstable();
+        places
     }
 
     /// The medium of the last region that holds a point. Beside a wall, up to rounding, its own side decides: where others
     /// cut it, rounding bends it.
-    fn medium_at(&self, p: DVec2) -> MediumId {
-        let beside = self.walls.iter().filter(|wall| lies_on(&wall.curve, p, self.near));
+    fn medium_at(&self, p: DVec2, walls: &[usize]) -> MediumId {
+        let beside = walls.iter().map(|k| &self.walls[*k]).filter(|wall| lies_on(&wall.curve, p, self.near));
         let nearest = beside.min_by(|u, v| u.curve.offset(p).abs().total_cmp(&v.curve.offset(p).abs()));
         if let Some(Interface { curve, left, right, .. }) = nearest {
             let turn = if curve.is_straight() { side(curve.a, curve.b, p) } else { curve.offset(p) };
             return if turn > 0.0 { *left } else { *right };
         }
-        let last = self.regions.iter().rev().find(|region| region.contains(p));
-        last.map_or(self.surroundings, |region| region.medium)
+        self.regions.at(p).map_or(self.surroundings, |region| region.medium)
+    }
+
+    /// Largest absolute coordinate of a point, relative to the origin or in the scene.
+    fn reach(&self, p: DVec2) -> f64 {
+        p.abs().max((p + self.origin).abs()).max_element()
     }
 
     /// Distance within which a start is on a curve: a quarter of that within which two curves are one, since the start is
     /// as exact as it is given and only the curve's placement rounds, by some 4 units in the last place.
     fn contact(&self, from: DVec2, curve: &Curve) -> f64 {
-        let reach = |p: DVec2| p.abs().max((p + self.origin).abs()).max_element();
-        0.25 * tolerance([from, curve.a, curve.b].map(reach).into_iter().fold(0.0, f64::max))
+        0.25 * tolerance([from, curve.a, curve.b].map(|p| self.reach(p)).into_iter().fold(0.0, f64::max))
     }
 
-    fn on_wall(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
+    fn on_wall(&self, from: DVec2, direction: DVec2, walls: &[usize]) -> Option<(Start, MediumId)> {
         let holds = |wall: &Interface| {
             let Interface { curve, .. } = wall;
             let is_on = curve.is_straight() && side(curve.a, curve.b, from) == 0.0 && lies_on(curve, from, self.near);
             is_on || lies_on(curve, from, self.contact(from, curve))
         };
         // An interface before a boundary that touches it between equal media.
-        let interface = self.walls.iter().position(|wall| is_interface(wall) && holds(wall));
-        let place = interface.or_else(|| self.walls.iter().position(holds))?;
+        let interface = walls.iter().find(|k| is_interface(&self.walls[**k]) && holds(&self.walls[**k]));
+        let place = *interface.or_else(|| walls.iter().find(|k| holds(&self.walls[**k])))?;
         let wall = &self.walls[place];
         let Interface { curve, left: on_left, right: on_right, .. } = wall;
         let rise = curve.normal_at(from).dot(direction);
@@ -131,21 +150,22 @@ impl Ground<'_> {
         } else {
             curve.curvature < 0.0
         };
-        let interface = self.walls[..place].iter().filter(|wall| is_interface(wall)).count();
+        let interface = place - self.dropped.partition_point(|dropped| *dropped < place);
         let start = if is_interface(wall) { Start::On { interface, left } } else { Start::Free };
         Some((start, if left { *on_left } else { *on_right }))
     }
 
     /// At a vertex the ray starts in the sector it heads into: on the counter-clockwise side of the interface that comes
     /// last before it, turning counter-clockwise.
-    fn at_vertex(&self, from: DVec2, direction: DVec2) -> Option<(Start, MediumId)> {
-        let vertex = self.walls.iter().find_map(|interface| {
+    fn at_vertex(&self, from: DVec2, direction: DVec2, walls: &[usize]) -> Option<(Start, MediumId)> {
+        let walls = || walls.iter().map(|k| &self.walls[*k]);
+        let vertex = walls().find_map(|interface| {
             let ends = [(interface.curve.a, interface.ends[0]), (interface.curve.b, interface.ends[1])];
             let contact = self.contact(from, &interface.curve);
             ends.into_iter().find(|(p, _)| p.distance(from) <= contact).map(|(_, vertex)| vertex)
         })?;
         let near = self.near;
-        let sectors = self.walls.iter().flat_map(|interface| sectors(interface, vertex));
+        let sectors = walls().flat_map(|interface| sectors(interface, vertex));
         let turned = sectors.map(|sector| (sector.turn_to(direction, near), sector));
         let before =
             turned.reduce(|first, second| if Sector::is_nearer(&second, &first, near) { second } else { first })?;

@@ -329,7 +329,7 @@ mod tests {
         let one = |k: u32| {
             let min = DVec2::new(unit(4 * k), unit(4 * k + 1));
             let size = DVec2::new(unit(4 * k + 2), unit(4 * k + 3)).powf(6.0);
-            Bounds::of([min + shift, min + shift + if k % 5 == 0 { DVec2::new(size.x, 0.0) } else { size }])
+            Bounds::of([min + shift, min + shift + if k.is_multiple_of(5) { DVec2::new(size.x, 0.0) } else { size }])
         };
         (0..count).map(one).collect()
     }

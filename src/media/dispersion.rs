@@ -1,3 +1,5 @@
+use std::hash::{Hash, Hasher};
+
 use super::MediumError;
 use super::formula::Formula;
 use crate::light::Wavelength;
@@ -21,6 +23,15 @@ pub struct Dispersion {
 impl PartialEq for Dispersion {
     fn eq(&self, other: &Self) -> bool {
         self.formula == other.formula
+    }
+}
+
+/// No coefficient is NaN.
+impl Eq for Dispersion {}
+
+impl Hash for Dispersion {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.formula.numbers(|number| (number + 0.0).to_bits().hash(state));
     }
 }
 

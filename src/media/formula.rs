@@ -38,6 +38,21 @@ impl Formula {
             Self::Gas { constant, terms } => 1.0 + constant + sum(terms, |b, c| b / (c - 1.0 / square)),
         }
     }
+
+    /// Visits every number of the formula.
+    pub(super) fn numbers(&self, mut visit: impl FnMut(f64)) {
+        match self {
+            Self::Constant(n) => visit(*n),
+            Self::Cauchy(coefficients) => coefficients.iter().copied().for_each(visit),
+            Self::Sellmeier { constant, terms }
+            | Self::SellmeierRoot { constant, terms }
+            | Self::Powers { constant, terms }
+            | Self::Gas { constant, terms } => {
+                visit(*constant);
+                terms.iter().flat_map(|&(a, b)| [a, b]).for_each(visit);
+            }
+        }
+    }
 }
 
 fn sum(terms: &[(f64, f64)], term: impl Fn(f64, f64) -> f64) -> f64 {

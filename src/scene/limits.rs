@@ -3,7 +3,7 @@
 /// Longest text of a scene, in bytes.
 pub const MAX_TEXT_BYTES: usize = 64 << 20;
 /// Most bodies in a scene.
-pub const MAX_BODIES: usize = 100_000;
+pub const MAX_BODIES: usize = 1_000_000;
 /// Most points of a polygon, steps of an outline, or surfaces of a lens group.
 pub const MAX_POINTS: usize = 2_000_000;
 /// Most sides of a regular polygon, and most facets of a lens face.

@@ -36,8 +36,8 @@ pub struct Interface {
 
 /// Distances below this are rounding: 64 ulp of the largest coordinate of any interface, relative to the origin or in the
 /// scene, since boundaries that coincide up to the rounding of their places are one.
-pub(crate) fn rounding(interfaces: &[Interface], origin: DVec2) -> f64 {
-    let ends = interfaces.iter().flat_map(|interface| [interface.curve.a, interface.curve.b]);
+pub(crate) fn rounding<'a>(interfaces: impl IntoIterator<Item = &'a Interface>, origin: DVec2) -> f64 {
+    let ends = interfaces.into_iter().flat_map(|interface| [interface.curve.a, interface.curve.b]);
     64.0 * f64::EPSILON * ends.fold(0.0, |reach, p| p.abs().max((p + origin).abs()).max_element().max(reach))
 }
 

@@ -1,33 +1,32 @@
 use glam::DVec2;
 
-use super::checker::{Checker, show};
+use super::checker::{Checker, Text, show};
 use super::lens::{check_group, check_lens};
 use super::medium::check_medium;
 use super::outline::{check_arc, check_outline, check_polygon};
 use crate::scene::{Body, MAX_SIDES, Problem, Shape, Substance, Surface};
 
 /// One body by itself.
-pub(super) fn check_body(c: &mut Checker, path: &str, body: &Body) {
-    c.point(&format!("{path}.at"), "the body's place", body.at);
-    c.finite(&format!("{path}.rotate"), "the angle", body.rotate);
-    check_shape(c, &format!("{path}.shape"), &body.shape);
+pub(super) fn check_body(c: &mut Checker, path: impl Text, body: &Body) {
+    c.point(format_args!("{path}.at"), "the body's place", body.at);
+    c.finite(format_args!("{path}.rotate"), "the angle", body.rotate);
+    check_shape(c, format_args!("{path}.shape"), &body.shape);
     match &body.substance {
         Substance::Medium(medium) => {
-            let path = format!("{path}.medium");
-            check_medium(c, &path, medium);
-            check_filling(c, &path, &body.shape);
+            check_medium(c, format_args!("{path}.medium"), medium);
+            check_filling(c, format_args!("{path}.medium"), &body.shape);
         }
-        Substance::Surface(surface) => check_surface(c, &format!("{path}.surface"), *surface, &body.shape),
+        Substance::Surface(surface) => check_surface(c, format_args!("{path}.surface"), *surface, &body.shape),
         Substance::Elements => {
             c.require(matches!(body.shape, Shape::LensGroup { .. }), || {
                 let message = "a body needs a `medium` or a `surface` unless it is a lens group";
-                Problem::error(path, message, "give what fills the shape or what its boundary does")
+                Problem::error(path.to_string(), message, "give what fills the shape or what its boundary does")
             });
         }
     }
 }
 
-fn check_filling(c: &mut Checker, path: &str, shape: &Shape) {
+fn check_filling(c: &mut Checker, path: impl Text, shape: &Shape) {
     let fault = match shape {
         Shape::Flat { .. } | Shape::Arc { .. } | Shape::Stop { .. } => {
             Some(("an open shape encloses nothing that a `medium` could fill", "give it a `surface`, such as `Mirror`"))
@@ -39,14 +38,14 @@ fn check_filling(c: &mut Checker, path: &str, shape: &Shape) {
         _ => None,
     };
     if let Some((message, help)) = fault {
-        c.problems.push(Problem::error(path, message, help).label("not on this shape"));
+        c.problems.push(Problem::error(path.to_string(), message, help).label("not on this shape"));
     }
 }
 
-fn check_surface(c: &mut Checker, path: &str, surface: Surface, shape: &Shape) {
+fn check_surface(c: &mut Checker, path: impl Text, surface: Surface, shape: &Shape) {
     c.require(!matches!(shape, Shape::LensGroup { .. }), || {
         let message = "a lens group has no `surface` of its own";
-        Problem::error(path, message, "leave it out, or lay the surface on the face as a body of its own")
+        Problem::error(path.to_string(), message, "leave it out, or lay the surface on the face as a body of its own")
             .label("not here")
     });
     match surface {
@@ -64,7 +63,8 @@ fn check_surface(c: &mut Checker, path: &str, surface: Surface, shape: &Shape) {
             }
             c.require(matches!(shape, Shape::Flat { .. }), || {
                 let help = "use `shape: Flat(from: …, to: …)` for it";
-                Problem::error(path, "the ideal thin lens is a straight line", help).label("only on a `Flat`")
+                Problem::error(path.to_string(), "the ideal thin lens is a straight line", help)
+                    .label("only on a `Flat`")
             });
         }
         Surface::Mirror | Surface::Absorber | Surface::Screen => {}
@@ -72,38 +72,47 @@ fn check_surface(c: &mut Checker, path: &str, surface: Surface, shape: &Shape) {
 }
 
 /// Two shares of a power, each from 0 to 1, and not above 1 together.
-pub(super) fn check_shares(c: &mut Checker, path: &str, names: [String; 2], shares: [f64; 2], what: [&str; 2]) {
+pub(super) fn check_shares(c: &mut Checker, path: impl Text, names: [String; 2], shares: [f64; 2], what: [&str; 2]) {
     let first = c.within(&names[0], what[0], shares[0], [0.0, 1.0]);
     let second = c.within(&names[1], what[1], shares[1], [0.0, 1.0]);
     let sum = shares[0] + shares[1];
     c.require(!first || !second || sum <= 1.0, || {
         let message = format!("{} and {} are {} together: more than arrives", what[0], what[1], show(sum));
-        Problem::error(path, message, "make their sum at most 1; what is left of 1 stays at the hit").label("above 1")
+        Problem::error(path.to_string(), message, "make their sum at most 1; what is left of 1 stays at the hit")
+            .label("above 1")
     });
 }
 
-fn check_shape(c: &mut Checker, path: &str, shape: &Shape) {
-    let at = |name: &str| format!("{path}.{name}");
+fn check_shape(c: &mut Checker, path: impl Text, shape: &Shape) {
     match shape {
-        Shape::Polygon(points) => check_polygon(c, &at("points"), points),
+        Shape::Polygon(points) => check_polygon(c, format_args!("{path}.points"), points),
         Shape::Rectangle { width, height } => {
-            c.length(&at("width"), "the width", *width);
-            c.length(&at("height"), "the height", *height);
+            c.length(format_args!("{path}.width"), "the width", *width);
+            c.length(format_args!("{path}.height"), "the height", *height);
         }
         Shape::RegularPolygon { sides, radius } => {
-            c.count(&at("sides"), "the number of sides", u64::from(*sides), [3, u64::from(MAX_SIDES)]);
-            c.length(&at("radius"), "the radius", *radius);
+            c.count(format_args!("{path}.sides"), "the number of sides", u64::from(*sides), [3, u64::from(MAX_SIDES)]);
+            c.length(format_args!("{path}.radius"), "the radius", *radius);
         }
         Shape::Prism { apex_angle, side } => {
-            check_apex(c, &at("apex_angle"), *apex_angle);
-            c.length(&at("side"), "the side", *side);
+            check_apex(c, format_args!("{path}.apex_angle"), *apex_angle);
+            c.length(format_args!("{path}.side"), "the side", *side);
         }
-        Shape::RightAnglePrism { leg } => drop(c.length(&at("leg"), "the leg", *leg)),
-        Shape::Disk { radius } | Shape::HalfDisk { radius } => drop(c.length(&at("radius"), "the radius", *radius)),
+        Shape::RightAnglePrism { leg } => {
+            c.length(format_args!("{path}.leg"), "the leg", *leg);
+        }
+        Shape::Disk { radius } | Shape::HalfDisk { radius } => {
+            c.length(format_args!("{path}.radius"), "the radius", *radius);
+        }
         Shape::Lens { radii, thickness, diameter, facets } => {
             check_lens(c, path, *radii, *thickness, *diameter);
             if let Some(facets) = facets {
-                c.count(&at("facets"), "the number of facets", u64::from(*facets), [1, u64::from(MAX_SIDES)]);
+                c.count(
+                    format_args!("{path}.facets"),
+                    "the number of facets",
+                    u64::from(*facets),
+                    [1, u64::from(MAX_SIDES)],
+                );
             }
         }
         Shape::Outline { start, path: steps } => check_outline(c, path, *start, steps),
@@ -114,9 +123,9 @@ fn check_shape(c: &mut Checker, path: &str, shape: &Shape) {
     }
 }
 
-fn check_flat(c: &mut Checker, path: &str, from: DVec2, to: DVec2) {
+fn check_flat(c: &mut Checker, path: impl Text, from: DVec2, to: DVec2) {
     let end = format!("{path}.to");
-    if c.point(&format!("{path}.from"), "the first point", from) & c.point(&end, "the last point", to) {
+    if c.point(format_args!("{path}.from"), "the first point", from) & c.point(&end, "the last point", to) {
         c.require(from != to, || {
             let message = "the line ends where it begins";
             Problem::error(&end, message, "write two different points").label("same as `from`")
@@ -124,16 +133,16 @@ fn check_flat(c: &mut Checker, path: &str, from: DVec2, to: DVec2) {
     }
 }
 
-fn check_apex(c: &mut Checker, path: &str, angle: f64) {
+fn check_apex(c: &mut Checker, path: impl Text, angle: f64) {
     c.require(angle > 0.0 && angle < 180.0, || {
         let message = format!("the apex angle must lie between 0° and 180°, not be {}°", show(angle));
-        Problem::error(path, message, "write an angle in degrees such as `60`").label("out of range")
+        Problem::error(path.to_string(), message, "write an angle in degrees such as `60`").label("out of range")
     });
 }
 
-fn check_stop(c: &mut Checker, path: &str, opening: f64, height: f64) {
+fn check_stop(c: &mut Checker, path: impl Text, opening: f64, height: f64) {
     let at = format!("{path}.opening");
-    if c.length(&at, "the opening", opening) & c.length(&format!("{path}.height"), "the height", height) {
+    if c.length(&at, "the opening", opening) & c.length(format_args!("{path}.height"), "the height", height) {
         c.require(height > opening, || {
             let message = format!("the opening of {} leaves nothing of a stop {} high", show(opening), show(height));
             Problem::error(&at, message, "make `height` larger than `opening`").label("not below `height`")

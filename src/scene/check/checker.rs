@@ -1,6 +1,13 @@
+use std::fmt::Display;
+
 use glam::DVec2;
 
 use crate::scene::{MAX_LENGTH, MIN_LENGTH, Problem};
+
+/// What is written out only for a problem: the path of a value, or words for it.
+pub(super) trait Text: Display + Copy {}
+
+impl<T: Display + Copy> Text for T {}
 
 /// Collects problems; the methods tell whether a value passed.
 #[derive(Debug, Default)]
@@ -18,10 +25,10 @@ impl Checker {
     }
 
     /// A finite number.
-    pub(super) fn finite(&mut self, path: &str, what: &str, value: f64) -> bool {
+    pub(super) fn finite(&mut self, path: impl Text, what: impl Text, value: f64) -> bool {
         self.require(value.is_finite(), || {
             Problem::error(
-                path,
+                path.to_string(),
                 format!("{what} must be a finite number, not {}", show(value)),
                 "write a finite number",
             )
@@ -30,68 +37,72 @@ impl Checker {
     }
 
     /// A coordinate or a length of either sign.
-    pub(super) fn coordinate(&mut self, path: &str, what: &str, value: f64) -> bool {
+    pub(super) fn coordinate(&mut self, path: impl Text, what: impl Text, value: f64) -> bool {
         self.finite(path, what, value) && self.require(value.abs() <= MAX_LENGTH, || too_far(path, what, value))
     }
 
     /// A point whose coordinates can be computed with.
-    pub(super) fn point(&mut self, path: &str, what: &str, point: DVec2) -> bool {
-        self.coordinate(&format!("{path}[0]"), &format!("the x of {what}"), point.x)
-            & self.coordinate(&format!("{path}[1]"), &format!("the y of {what}"), point.y)
+    pub(super) fn point(&mut self, path: impl Text, what: impl Text, point: DVec2) -> bool {
+        self.coordinate(format_args!("{path}[0]"), format_args!("the x of {what}"), point.x)
+            & self.coordinate(format_args!("{path}[1]"), format_args!("the y of {what}"), point.y)
     }
 
     /// A length above 0.
-    pub(super) fn length(&mut self, path: &str, what: &str, value: f64) -> bool {
+    pub(super) fn length(&mut self, path: impl Text, what: impl Text, value: f64) -> bool {
         self.coordinate(path, what, value) && self.require(value >= MIN_LENGTH, || not_positive(path, what, value))
     }
 
     /// A number within bounds, both included.
-    pub(super) fn within(&mut self, path: &str, what: &str, value: f64, bounds: [f64; 2]) -> bool {
+    pub(super) fn within(&mut self, path: impl Text, what: impl Text, value: f64, bounds: [f64; 2]) -> bool {
         self.require((bounds[0]..=bounds[1]).contains(&value), || {
             let [low, high] = bounds.map(show);
             let message = format!("{what} must lie between {low} and {high}, not be {}", show(value));
-            Problem::error(path, message, format!("write a number from {low} to {high}")).label("out of range")
+            Problem::error(path.to_string(), message, format!("write a number from {low} to {high}"))
+                .label("out of range")
         })
     }
 
     /// A count within bounds, both included.
-    pub(super) fn count(&mut self, path: &str, what: &str, value: u64, bounds: [u64; 2]) -> bool {
+    pub(super) fn count(&mut self, path: impl Text, what: impl Text, value: u64, bounds: [u64; 2]) -> bool {
         let [low, high] = bounds;
         let count = |message: String| {
-            Problem::error(path, message, format!("write a whole number from {low} to {high}")).label("out of range")
+            Problem::error(path.to_string(), message, format!("write a whole number from {low} to {high}"))
+                .label("out of range")
         };
         self.require(value >= low, || count(format!("{what} must be at least {low}, not {value}")))
             && self.require(value <= high, || count(format!("{what} must be at most {high}, not {value}")))
     }
 
     /// How many entries a list has, within bounds, both included.
-    pub(super) fn size(&mut self, path: &str, owner: &str, what: &str, size: usize, bounds: [usize; 2]) -> bool {
+    pub(super) fn size(&mut self, path: impl Text, owner: &str, what: &str, size: usize, bounds: [usize; 2]) -> bool {
         let [low, high] = bounds;
         self.require(size >= low, || {
             let message = match size {
                 0 => format!("{owner} needs {what}, but has none"),
                 _ => format!("{owner} needs at least {low} {what}, but has {size}"),
             };
-            Problem::error(path, message, format!("write {low} or more {what}")).label("too few")
+            Problem::error(path.to_string(), message, format!("write {low} or more {what}")).label("too few")
         }) && self.require(size <= high, || {
             let message = format!("{owner} may have {high} {what}, but has {size}");
-            Problem::error(path, message, format!("write at most {high} {what}")).label("too many")
+            Problem::error(path.to_string(), message, format!("write at most {high} {what}")).label("too many")
         })
     }
 }
 
-fn too_far(path: &str, what: &str, value: f64) -> Problem {
+fn too_far(path: impl Text, what: impl Text, value: f64) -> Problem {
     let message = format!("{what} is {}, too large to compute with", show(value));
-    Problem::error(path, message, format!("stay within ±{}", show(MAX_LENGTH))).label("too large")
+    Problem::error(path.to_string(), message, format!("stay within ±{}", show(MAX_LENGTH))).label("too large")
 }
 
-fn not_positive(path: &str, what: &str, value: f64) -> Problem {
+fn not_positive(path: impl Text, what: impl Text, value: f64) -> Problem {
     if value > 0.0 {
         let message = format!("{what} is {}, too small to compute with", show(value));
-        return Problem::error(path, message, format!("write at least {}", show(MIN_LENGTH))).label("too small");
+        return Problem::error(path.to_string(), message, format!("write at least {}", show(MIN_LENGTH)))
+            .label("too small");
     }
     let message = format!("{what} must be above 0, not {}", show(value));
-    Problem::error(path, message, "write a positive length, in the unit of all lengths").label("not above 0")
+    Problem::error(path.to_string(), message, "write a positive length, in the unit of all lengths")
+        .label("not above 0")
 }
 
 /// A number for people: shortest form, with an exponent where it would be long.

@@ -11,6 +11,9 @@ use crate::numerics::cross;
 /// Most comparisons before a chain is given up.
 const MOST_STEPS: usize = 100_000_000;
 
+/// Most curves that are looked at one by one.
+const FEW: usize = 16;
+
 /// Why a chain is no simple outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fault {
@@ -44,6 +47,8 @@ struct Tree {
     boxes: Vec<Bounds>,
     leaves: usize,
     steps: usize,
+    /// Nodes still to be looked at, and how many leaves each has; kept for its memory.
+    waiting: Vec<(usize, usize)>,
 }
 
 impl Tree {
@@ -57,7 +62,7 @@ impl Tree {
         for k in (1..leaves).rev() {
             boxes[k] = boxes[2 * k].union(boxes[2 * k + 1]);
         }
-        Self { boxes, leaves, steps: 0 }
+        Self { boxes, leaves, steps: 0, waiting: Vec::new() }
     }
 
     fn boxes_of(&self, i: usize) -> Bounds {
@@ -66,15 +71,20 @@ impl Tree {
 
     /// The first curve from number `from` on whose box meets `bounds` and that passes the test.
     fn first(&mut self, bounds: Bounds, from: usize, test: impl Fn(usize) -> bool) -> Option<usize> {
-        let mut stack = vec![(1, self.leaves)];
-        while let Some((node, width)) = stack.pop() {
+        if self.leaves <= FEW {
+            let mut others = from..self.leaves;
+            return others.find(|j| self.boxes_of(*j).meets(bounds) && test(*j));
+        }
+        self.waiting.clear();
+        self.waiting.push((1, self.leaves));
+        while let Some((node, width)) = self.waiting.pop() {
             self.steps += 1;
             let end = (node * width) + width - self.leaves;
             if end <= from || !self.boxes[node].meets(bounds) {
                 continue;
             }
             if width > 1 {
-                stack.extend([(2 * node + 1, width / 2), (2 * node, width / 2)]);
+                self.waiting.extend([(2 * node + 1, width / 2), (2 * node, width / 2)]);
             } else if test(node - self.leaves) {
                 return Some(node - self.leaves);
             }

@@ -2,13 +2,13 @@ use std::collections::HashSet;
 
 use glam::DVec2;
 
-use super::checker::{Checker, show};
+use super::checker::{Checker, Text, show};
 use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Source, Spectrum};
 
 /// One source by itself.
-pub(super) fn check_source(c: &mut Checker, path: &str, source: &Source) {
-    check_light(c, &format!("{path}.light"), &source.light);
-    check_spectrum(c, &format!("{path}.spectrum"), &source.spectrum);
+pub(super) fn check_source(c: &mut Checker, path: impl Text, source: &Source) {
+    check_light(c, format_args!("{path}.light"), &source.light);
+    check_spectrum(c, format_args!("{path}.spectrum"), &source.spectrum);
     let power = format!("{path}.power");
     let is_positive = |c: &mut Checker| {
         c.require(source.power > 0.0, || {
@@ -22,16 +22,15 @@ pub(super) fn check_source(c: &mut Checker, path: &str, source: &Source) {
     }
 }
 
-fn check_light(c: &mut Checker, path: &str, light: &Light) {
-    let at = |name: &str| format!("{path}.{name}");
+fn check_light(c: &mut Checker, path: impl Text, light: &Light) {
     match light {
         Light::Ray { from, direction } => check_start(c, path, "from", *from, direction),
         Light::Beam { center, direction, width, rays } => {
             check_start(c, path, "center", *center, direction);
-            if c.coordinate(&at("width"), "the width", *width) {
+            if c.coordinate(format_args!("{path}.width"), "the width", *width) {
                 c.require(*width >= 0.0, || {
                     let message = format!("the width must not be negative, but is {}", show(*width));
-                    Problem::error(at("width"), message, "write the distance between the outermost rays")
+                    Problem::error(format!("{path}.width"), message, "write the distance between the outermost rays")
                         .label("negative")
                 });
             }
@@ -39,21 +38,21 @@ fn check_light(c: &mut Checker, path: &str, light: &Light) {
         }
         Light::Fan { from, direction, spread, rays } => {
             check_start(c, path, "from", *from, direction);
-            check_spread(c, &at("spread"), *spread, *rays);
+            check_spread(c, format_args!("{path}.spread"), *spread, *rays);
             check_rays(c, path, *rays);
         }
         Light::Point { at: start, rays } => {
-            c.point(&at("at"), "the start", *start);
+            c.point(format_args!("{path}.at"), "the start", *start);
             check_rays(c, path, *rays);
         }
     }
 }
 
-fn check_start(c: &mut Checker, path: &str, name: &str, start: DVec2, direction: &Direction) {
-    c.point(&format!("{path}.{name}"), "the start", start);
+fn check_start(c: &mut Checker, path: impl Text, name: &str, start: DVec2, direction: &Direction) {
+    c.point(format_args!("{path}.{name}"), "the start", start);
     match direction {
         Direction::Angle(degrees) => {
-            c.finite(&format!("{path}.direction.degrees"), "the angle", *degrees);
+            c.finite(format_args!("{path}.direction.degrees"), "the angle", *degrees);
         }
         Direction::Towards(point) => {
             let target = format!("{path}.direction.point");
@@ -67,36 +66,41 @@ fn check_start(c: &mut Checker, path: &str, name: &str, start: DVec2, direction:
     }
 }
 
-fn check_rays(c: &mut Checker, path: &str, rays: u32) {
-    c.count(&format!("{path}.rays"), "the number of rays", u64::from(rays), [1, MAX_RAYS]);
+fn check_rays(c: &mut Checker, path: impl Text, rays: u32) {
+    c.count(format_args!("{path}.rays"), "the number of rays", u64::from(rays), [1, MAX_RAYS]);
 }
 
-fn check_spread(c: &mut Checker, path: &str, spread: f64, rays: u32) {
+fn check_spread(c: &mut Checker, path: impl Text, spread: f64, rays: u32) {
     if !c.finite(path, "the spread", spread) {
         return;
     }
     c.require(spread >= 0.0, || {
         let message = format!("the spread must not be negative, but is {}°", show(spread));
-        Problem::error(path, message, "write the full angle of the fan in degrees").label("negative")
+        Problem::error(path.to_string(), message, "write the full angle of the fan in degrees").label("negative")
     });
     c.require(spread < 360.0, || {
         let message = format!("a fan of {}° goes all the way round, and its first and last ray coincide", show(spread));
-        Problem::error(path, message, format!("use `Point(at: …, rays: {rays})`, or a spread below 360"))
+        Problem::error(path.to_string(), message, format!("use `Point(at: …, rays: {rays})`, or a spread below 360"))
             .label("360° or more")
     });
 }
 
-fn check_spectrum(c: &mut Checker, path: &str, spectrum: &Spectrum) {
+fn check_spectrum(c: &mut Checker, path: impl Text, spectrum: &Spectrum) {
     match spectrum {
-        Spectrum::Line(nm) => drop(check_line(c, &format!("{path}.nm"), *nm)),
-        Spectrum::Lines(lines) => check_lines(c, &format!("{path}.nm"), lines),
+        Spectrum::Line(nm) => drop(check_line(c, format_args!("{path}.nm"), *nm)),
+        Spectrum::Lines(lines) => check_lines(c, format_args!("{path}.nm"), lines),
         Spectrum::White { samples } => {
-            c.count(&format!("{path}.samples"), "the number of samples", u64::from(*samples), [1, MAX_LINES as u64]);
+            c.count(
+                format_args!("{path}.samples"),
+                "the number of samples",
+                u64::from(*samples),
+                [1, MAX_LINES as u64],
+            );
         }
     }
 }
 
-fn check_lines(c: &mut Checker, path: &str, lines: &[f64]) {
+fn check_lines(c: &mut Checker, path: impl Text, lines: &[f64]) {
     if !c.size(path, "a spectrum", "lines", lines.len(), [1, MAX_LINES]) {
         return;
     }
@@ -112,12 +116,16 @@ fn check_lines(c: &mut Checker, path: &str, lines: &[f64]) {
     }
 }
 
-fn check_line(c: &mut Checker, path: &str, nm: f64) -> bool {
+fn check_line(c: &mut Checker, path: impl Text, nm: f64) -> bool {
     c.finite(path, "the wavelength", nm)
         && c.require(nm > 0.0, || {
             let message = format!("a wavelength must be above 0 nm, not {}", show(nm));
-            Problem::error(path, message, "write a vacuum wavelength in nanometers; visible light has 380 to 780")
-                .label("not a wavelength")
+            Problem::error(
+                path.to_string(),
+                message,
+                "write a vacuum wavelength in nanometers; visible light has 380 to 780",
+            )
+            .label("not a wavelength")
         })
 }
 

@@ -1,15 +1,16 @@
 use std::collections::HashSet;
+use std::fmt;
 
-use super::checker::{Checker, show, show_rounded};
+use super::checker::{Checker, Text, show, show_rounded};
 use crate::light::Wavelength;
 use crate::media::{Dispersion, MediumError};
 use crate::scene::{MAX_INDEX, MAX_LINES, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
 
 /// A medium's own numbers, or its name in the catalog; indices over the spectrum are checked with the sources.
-pub(super) fn check_medium(c: &mut Checker, path: &str, medium: &Medium) {
+pub(super) fn check_medium(c: &mut Checker, path: impl Text, medium: &Medium) {
     match medium.dispersion() {
         Err(problem) => {
-            let path = if problem.path.is_empty() { path.to_owned() } else { format!("{path}.{}", problem.path) };
+            let path = if problem.path.is_empty() { path.to_string() } else { format!("{path}.{}", problem.path) };
             c.problems.push(Problem { path, ..problem });
         }
         Ok(dispersion) if is_constant(medium) => c.problems.extend(too_large(path, dispersion.index(Wavelength::D))),
@@ -21,10 +22,12 @@ fn is_constant(medium: &Medium) -> bool {
     matches!(medium, Medium::Index(_) | Medium::Speed(_))
 }
 
-fn too_large(path: &str, index: f64) -> Option<Problem> {
-    let message = format!("the refractive index is {}, above {}", show_rounded(index), show(MAX_INDEX));
-    let help = "write a smaller index; that of diamond is 2.42";
-    (index > MAX_INDEX).then(|| Problem::error(path, message, help).label("too large"))
+fn too_large(path: impl Text, index: f64) -> Option<Problem> {
+    (index > MAX_INDEX).then(|| {
+        let message = format!("the refractive index is {}, above {}", show_rounded(index), show(MAX_INDEX));
+        let help = "write a smaller index; that of diamond is 2.42";
+        Problem::error(path.to_string(), message, help).label("too large")
+    })
 }
 
 /// Every line of every source has an index in every medium.
@@ -39,7 +42,13 @@ pub(super) fn check_wavelengths(c: &mut Checker, scene: &Scene) {
 }
 
 /// The problem at the first line for which a medium has no index.
-fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, dispersion: &Dispersion) -> Option<Problem> {
+fn first_fault(
+    path: impl Text,
+    source: &Source,
+    owner: &str,
+    medium: &Medium,
+    dispersion: &Dispersion,
+) -> Option<Problem> {
     if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
         return None;
     }
@@ -58,7 +67,7 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
             let (wavelength, from, to) = (show(wavelength), show(from), show(to));
             let message = format!("{name} of `{owner}` is known from {from} to {to} nm, not at {wavelength} nm");
             let help = format!("choose wavelengths from {from} to {to} nm, or another medium");
-            Problem::error(path, message, help).label("outside the medium's range")
+            Problem::error(path.to_string(), message, help).label("outside the medium's range")
         }
         MediumError::BelowOne { wavelength, index } => {
             let (wavelength, index) = (show(wavelength), show_rounded(index));
@@ -79,22 +88,22 @@ fn first_fault(path: &str, source: &Source, owner: &str, medium: &Medium, disper
 fn dispersive_media<'a>(scene: &'a Scene) -> Vec<(String, &'a Medium, Dispersion)> {
     let mut media = Vec::new();
     let mut known = HashSet::new();
-    let mut add = |path: String, medium: &'a Medium| {
+    let mut add = |path: fmt::Arguments<'_>, medium: &'a Medium| {
         if is_constant(medium) || !known.insert(format!("{medium:?}")) {
             return;
         }
         if let Ok(dispersion) = medium.dispersion() {
-            media.push((path, medium, dispersion));
+            media.push((path.to_string(), medium, dispersion));
         }
     };
-    add("surroundings".to_owned(), &scene.surroundings);
+    add(format_args!("surroundings"), &scene.surroundings);
     for (k, body) in scene.bodies.iter().enumerate() {
         if let Substance::Medium(medium) = &body.substance {
-            add(format!("bodies[{k}].medium"), medium);
+            add(format_args!("bodies[{k}].medium"), medium);
         }
         if let Shape::LensGroup { surfaces, .. } = &body.shape {
             for (j, medium) in surfaces.iter().enumerate().filter_map(|(j, s)| Some((j, s.medium.as_ref()?))) {
-                add(format!("bodies[{k}].shape.surfaces[{j}].medium"), medium);
+                add(format_args!("bodies[{k}].shape.surfaces[{j}].medium"), medium);
             }
         }
     }

@@ -1,17 +1,18 @@
 use glam::DVec2;
 
-use super::checker::{Checker, show_point};
+use super::checker::{Checker, Text, show_point};
 use super::crossing::{Fault, first_fault};
 use crate::geometry::Curve;
 use crate::numerics::{Sum, cross};
 use crate::scene::{MAX_LENGTH, MAX_POINTS, PathStep, Problem};
 
 /// The vertices of a simple polygon; `path` is that of their list.
-pub(super) fn check_polygon(c: &mut Checker, path: &str, points: &[DVec2]) {
+pub(super) fn check_polygon(c: &mut Checker, path: impl Text, points: &[DVec2]) {
     let at = |k: usize| format!("{path}[{k}]");
     let enough = c.size(path, "a polygon", "points", points.len(), [3, MAX_POINTS]);
     // One far point is enough to tell.
-    let sound = points.iter().enumerate().all(|(k, p)| is_near(*p) || c.point(&at(k), "a point", *p));
+    let sound =
+        points.iter().enumerate().all(|(k, p)| is_near(*p) || c.point(format_args!("{path}[{k}]"), "a point", *p));
     let Some(first) = points.first().filter(|_| enough && sound) else { return };
     let repeated = points.windows(2).position(|pair| pair[0] == pair[1]);
     if let Some(k) = repeated {
@@ -34,14 +35,14 @@ fn is_near(p: DVec2) -> bool {
 }
 
 /// Edges and arcs in order; `path` is that of the shape.
-pub(super) fn check_outline(c: &mut Checker, path: &str, start: DVec2, steps: &[PathStep]) {
+pub(super) fn check_outline(c: &mut Checker, path: impl Text, start: DVec2, steps: &[PathStep]) {
     let list = format!("{path}.path");
-    let mut sound = c.point(&format!("{path}.start"), "the start", start);
+    let mut sound = c.point(format_args!("{path}.start"), "the start", start);
     sound &= c.size(&list, "an outline", "steps", steps.len(), [1, MAX_POINTS]);
     let mut here = start;
     let mut curves = Vec::new();
     for (k, step) in steps.iter().enumerate() {
-        let curve = check_step(c, &format!("{list}[{k}]"), here, *step);
+        let curve = check_step(c, format_args!("{list}[{k}]"), here, *step);
         let (PathStep::LineTo(to) | PathStep::ArcTo { to, .. }) = step;
         here = *to;
         sound &= curve.is_some();
@@ -55,34 +56,34 @@ pub(super) fn check_outline(c: &mut Checker, path: &str, start: DVec2, steps: &[
     }
 }
 
-fn check_step(c: &mut Checker, path: &str, from: DVec2, step: PathStep) -> Option<Curve> {
+fn check_step(c: &mut Checker, path: impl Text, from: DVec2, step: PathStep) -> Option<Curve> {
     match step {
         PathStep::LineTo(to) => {
-            let sound = c.point(&format!("{path}.to"), "a point", to)
+            let sound = c.point(format_args!("{path}.to"), "a point", to)
                 && c.require(to != from, || {
                     let message = format!("the edge to {} has no length: it begins there", show_point(to));
-                    Problem::error(path, message, "leave the step out").label("no length")
+                    Problem::error(path.to_string(), message, "leave the step out").label("no length")
                 });
             sound.then(|| Curve::line(from, to))
         }
         PathStep::ArcTo { through, to } => {
-            let sound =
-                c.point(&format!("{path}.through"), "a point", through) & c.point(&format!("{path}.to"), "a point", to);
+            let sound = c.point(format_args!("{path}.through"), "a point", through)
+                & c.point(format_args!("{path}.to"), "a point", to);
             sound.then(|| check_three_points(c, path, from, through, to)).flatten()
         }
     }
 }
 
 /// An open arc; `path` is that of the shape.
-pub(super) fn check_arc(c: &mut Checker, path: &str, from: DVec2, through: DVec2, to: DVec2) {
+pub(super) fn check_arc(c: &mut Checker, path: impl Text, from: DVec2, through: DVec2, to: DVec2) {
     let points = [("from", from), ("through", through), ("to", to)];
-    let sound = points.map(|(name, p)| c.point(&format!("{path}.{name}"), "a point", p));
+    let sound = points.map(|(name, p)| c.point(format_args!("{path}.{name}"), "a point", p));
     if sound == [true; 3] {
         check_three_points(c, path, from, through, to);
     }
 }
 
-fn check_three_points(c: &mut Checker, path: &str, from: DVec2, through: DVec2, to: DVec2) -> Option<Curve> {
+fn check_three_points(c: &mut Checker, path: impl Text, from: DVec2, through: DVec2, to: DVec2) -> Option<Curve> {
     let arc = Curve::arc(from, through, to).filter(|arc| arc.curvature.is_finite() && arc.curvature != 0.0);
     let points = || [from, through, to].map(show_point);
     let (message, help) = if from == to {
@@ -94,14 +95,14 @@ fn check_three_points(c: &mut Checker, path: &str, from: DVec2, through: DVec2, 
         let message = format!("no arc goes through {from}, {through} and {to}: they lie on one line");
         (message, "move the middle point off the line, or draw a straight line")
     };
-    c.require(arc.is_some(), || Problem::error(path, message, help).label("not an arc"));
+    c.require(arc.is_some(), || Problem::error(path.to_string(), message, help).label("not an arc"));
     arc
 }
 
 /// A closed chain of sound curves encloses an area and does not meet itself; `at` names the place of a curve.
-fn check_chain(c: &mut Checker, path: &str, at: impl Fn(usize) -> String, curves: &[Curve]) {
+fn check_chain(c: &mut Checker, path: impl Text, at: impl Fn(usize) -> String, curves: &[Curve]) {
     let area = c.require(encloses_area(curves), || {
-        Problem::error(path, "the outline encloses no area", "move the points apart: they lie on one line")
+        Problem::error(path.to_string(), "the outline encloses no area", "move the points apart: they lie on one line")
             .label("no area")
     });
     let problem = match first_fault(curves).filter(|_| area) {
@@ -114,7 +115,7 @@ fn check_chain(c: &mut Checker, path: &str, at: impl Fn(usize) -> String, curves
         }
         Some(Fault::TooTangled) => {
             let message = "the outline has too many long edges side by side to check that none of them cross";
-            Problem::error(path, message, "use fewer points, or several bodies").label("too many")
+            Problem::error(path.to_string(), message, "use fewer points, or several bodies").label("too many")
         }
     };
     c.problems.push(problem);

@@ -1,5 +1,5 @@
 use super::body::check_shares;
-use super::checker::{Checker, show, show_point};
+use super::checker::{Checker, Text, show, show_point};
 use crate::scene::{
     DiagramSettings, MAX_PIXELS, MAX_SEGMENTS, MIN_PIXELS, Problem, SecondaryRays, TraceSettings, View,
 };
@@ -19,29 +19,30 @@ pub(super) fn check_trace(c: &mut Checker, trace: &TraceSettings) {
 pub(super) fn check_diagram(c: &mut Checker, diagram: &DiagramSettings) {
     for (k, what) in ["the figure's width", "the figure's height"].into_iter().enumerate() {
         let bounds = [u64::from(MIN_PIXELS), u64::from(MAX_PIXELS)];
-        c.count(&format!("diagram.size[{k}]"), what, u64::from(diagram.size[k]), bounds);
+        c.count(format_args!("diagram.size[{k}]"), what, u64::from(diagram.size[k]), bounds);
     }
     check_fraction(c, "diagram.faintest", "`faintest`", diagram.faintest);
     if let View::Box(first, second) = diagram.view {
         let path = "diagram.view";
-        let sound = c.point(&format!("{path}.corners[0]"), "the first corner", first)
-            & c.point(&format!("{path}.corners[1]"), "the second corner", second);
+        let sound = c.point(format_args!("{path}.corners[0]"), "the first corner", first)
+            & c.point(format_args!("{path}.corners[1]"), "the second corner", second);
         c.require(!sound || (second - first).abs().min_element() > 0.0, || {
             let (first, second) = (show_point(first), show_point(second));
             let message = format!("the box from {first} to {second} has no area");
-            Problem::error(path, message, "write two opposite corners: `Box((-50, -30), (50, 30))`").label("no area")
+            Problem::error(path.to_string(), message, "write two opposite corners: `Box((-50, -30), (50, 30))`")
+                .label("no area")
         });
     }
 }
 
 /// A share of a power that may be 0 and is below 1.
-fn check_fraction(c: &mut Checker, path: &str, what: &str, value: f64) {
+fn check_fraction(c: &mut Checker, path: impl Text, what: impl Text, value: f64) {
     c.require((0.0..1.0).contains(&value), || {
         let message = format!(
             "{what} is a share of the starting power from 0 up to, but not including, 1; here it is {}",
             show(value)
         );
-        Problem::error(path, message, "write a number such as `0.001`, or `0` to keep every branch")
+        Problem::error(path.to_string(), message, "write a number such as `0.001`, or `0` to keep every branch")
             .label("out of range")
     });
 }

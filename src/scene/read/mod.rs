@@ -13,6 +13,7 @@ mod scene;
 mod settings;
 mod shape;
 mod source;
+mod split;
 #[cfg(test)]
 mod stress;
 mod syntax;

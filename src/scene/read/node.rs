@@ -6,7 +6,12 @@ use std::ops::Range;
 use ron::de::Deserializer;
 use ron::value::RawValue;
 use serde::Deserializer as _;
-use serde::de::{IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::de::{IgnoredAny, Visitor};
+
+use super::split::parts;
+
+/// What may follow a word.
+const ENDS_WORD: [char; 12] = [':', ',', '(', ')', '[', ']', '{', '}', ' ', '\t', '\n', '\r'];
 
 /// A value of the file: its text without surrounding blanks, where it begins, and its path such as `bodies[2].shape`.
 #[derive(Clone, Debug)]
@@ -123,29 +128,27 @@ impl<'a> Node<'a> {
 
     /// The fields of `(name: value, …)`, in order, repeated ones included.
     pub(super) fn fields(&self) -> Option<Vec<Entry<'a>>> {
-        let mut de = reader(self.text)?;
-        let entries = de.deserialize_struct("", &[], Entries).ok()?;
-        let entry = |(name, raw): (&'a str, &'a RawValue)| Entry {
-            name,
-            name_span: self.span_of(name),
-            value: self.part(trimmed(raw), self.field_path(name)),
+        let entry = |part| {
+            let (name, rest) = word(part)?;
+            let value = self.part(trimmed(rest.strip_prefix(':')?), self.field_path(name));
+            Some(Entry { name, name_span: self.span_of(name), value })
         };
-        Some(entries.into_iter().map(entry).collect())
+        (self.kind() == Kind::Fields).then(|| parts(skip_blank(self.text)).into_iter().map(entry).collect()).flatten()
     }
 
     /// The elements of `[…]`.
     pub(super) fn list(&self) -> Option<Vec<Self>> {
-        self.elements(reader(self.text)?.deserialize_seq(Elements).ok()?)
+        (self.kind() == Kind::List).then(|| self.elements())
     }
 
     /// The elements of `(…)`.
     pub(super) fn group(&self) -> Option<Vec<Self>> {
-        self.elements(reader(self.text)?.deserialize_tuple(0, Elements).ok()?)
+        (self.kind() == Kind::Group).then(|| self.elements())
     }
 
-    fn elements(&self, raw: Vec<&'a RawValue>) -> Option<Vec<Self>> {
-        let element = |(k, raw): (usize, &&'a RawValue)| self.part(trimmed(raw), format!("{}[{k}]", self.path));
-        Some(raw.iter().enumerate().map(element).collect())
+    fn elements(&self) -> Vec<Self> {
+        let element = |(k, part): (usize, &'a str)| self.part(trimmed(part), format!("{}[{k}]", self.path));
+        parts(skip_blank(self.text)).into_iter().enumerate().map(element).collect()
     }
 
     /// The value as a Rust type that ron reads by itself.
@@ -165,9 +168,14 @@ pub(super) fn check_syntax(text: &str) -> Result<(), ron::error::SpannedError> {
 }
 
 /// The text of a value without blanks and comments around it. Finding its end takes a parse, which only a comment makes needed.
-fn trimmed(raw: &RawValue) -> &str {
-    let text = skip_blank(raw.get_ron());
-    if text.ends_with(char::is_whitespace) || text.ends_with("*/") { raw.trim().get_ron() } else { text }
+fn trimmed(text: &str) -> &str {
+    let text = skip_blank(text);
+    if text.is_ascii() && !text.contains('/') {
+        return text.trim_end();
+    }
+    let has_more = text.ends_with(char::is_whitespace) || text.ends_with("*/");
+    let raw = has_more.then(|| RawValue::from_ron(text).ok()).flatten();
+    raw.map_or(text, |raw| raw.trim().get_ron())
 }
 
 fn options() -> ron::Options {
@@ -180,10 +188,26 @@ fn reader(text: &str) -> Option<Deserializer<'_>> {
 
 /// The text after leading blanks and comments.
 pub(super) fn skip_blank(text: &str) -> &str {
-    reader(text).map_or(text, |de| de.remainder())
+    let begins = text.trim_ascii_start();
+    match begins.as_bytes().first() {
+        Some(b'/' | b'#' | 0x0b | 0x80..) => reader(text).map_or(text, |de| de.remainder()),
+        _ => begins,
+    }
 }
 
+/// The word that a text begins with, and what follows.
 fn word(text: &str) -> Option<(&str, &str)> {
+    let text = skip_blank(text);
+    if text.starts_with(|c: char| c.is_ascii_digit() || "([{\"+-.".contains(c)) {
+        return None;
+    }
+    let plain = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(text.len());
+    let (word, rest) = text.split_at(plain);
+    // Words with other characters and what stands in quotes behind a letter are left to ron.
+    if word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') && rest.starts_with(ENDS_WORD) | rest.is_empty()
+    {
+        return Some((word, skip_blank(rest)));
+    }
     let mut de = reader(text)?;
     let word = de.deserialize_identifier(Word).ok()?;
     Some((word, skip_blank(de.remainder())))
@@ -195,8 +219,6 @@ fn group_kind(text: &str) -> Kind {
 }
 
 struct Word;
-struct Entries;
-struct Elements;
 
 impl<'de> Visitor<'de> for Word {
     type Value = &'de str;
@@ -207,37 +229,5 @@ impl<'de> Visitor<'de> for Word {
 
     fn visit_borrowed_str<E>(self, word: &'de str) -> Result<Self::Value, E> {
         Ok(word)
-    }
-}
-
-impl<'de> Visitor<'de> for Entries {
-    type Value = Vec<(&'de str, &'de RawValue)>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("named fields")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-        let mut entries = Vec::new();
-        while let Some(entry) = map.next_entry()? {
-            entries.push(entry);
-        }
-        Ok(entries)
-    }
-}
-
-impl<'de> Visitor<'de> for Elements {
-    type Value = Vec<&'de RawValue>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("values")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
-        let mut elements = Vec::new();
-        while let Some(element) = seq.next_element()? {
-            elements.push(element);
-        }
-        Ok(elements)
     }
 }

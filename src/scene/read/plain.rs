@@ -11,7 +11,7 @@ pub(super) struct MaybeInfinite(pub(super) f64);
 
 impl Read for MaybeInfinite {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        let Some(value) = (node.kind() == Kind::Number).then(|| node.plain::<f64>()).flatten() else {
+        let Some(value) = (node.kind() == Kind::Number).then(|| number(node)).flatten() else {
             let help = "write a number such as `1.5` or `2e-3`, without a unit and without quotes";
             r.expected(node, "a number", help);
             return None;
@@ -31,6 +31,13 @@ impl Read for MaybeInfinite {
     fn stand_in() -> Self {
         Self(f64::NAN)
     }
+}
+
+/// The number as ron reads it; the usual forms are Rust's own.
+fn number(node: &Node<'_>) -> Option<f64> {
+    let is_usual = node.text().bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    let usual = is_usual.then(|| node.text().parse().ok()).flatten();
+    usual.or_else(|| node.plain())
 }
 
 impl Read for f64 {

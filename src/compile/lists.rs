@@ -1,0 +1,53 @@
+//! Many short lists, one behind the other in one allocation.
+
+/// Lists of indices; list k holds what belongs to the k-th of something.
+#[derive(Clone, Debug)]
+pub(crate) struct Lists {
+    /// Where each list begins among the items, and the end of the last.
+    starts: Vec<usize>,
+    items: Vec<usize>,
+}
+
+impl Lists {
+    /// No lists yet.
+    pub(crate) fn new() -> Self {
+        Self { starts: vec![0], items: Vec::new() }
+    }
+
+    /// The other's number with either one of each pair: ascending, where the pairs are sorted and the earlier comes first
+    /// in each.
+    pub(crate) fn of_pairs(count: usize, pairs: &[(usize, usize)]) -> Self {
+        let mut starts = vec![0; count + 1];
+        for &(i, j) in pairs {
+            starts[i + 1] += 1;
+            starts[j + 1] += 1;
+        }
+        for k in 0..count {
+            starts[k + 1] += starts[k];
+        }
+        let mut free = starts.clone();
+        let mut items = vec![0; 2 * pairs.len()];
+        for (to, other) in pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]) {
+            items[free[to]] = other;
+            free[to] += 1;
+        }
+        Self { starts, items }
+    }
+
+    /// Puts one more item in the last list, which is not yet ended.
+    pub(crate) fn push(&mut self, item: usize) {
+        self.items.push(item);
+    }
+
+    /// Sorts the last list and ends it.
+    pub(crate) fn end(&mut self) {
+        let start = self.starts.last().copied().unwrap_or(0);
+        self.items[start..].sort_unstable();
+        self.starts.push(self.items.len());
+    }
+
+    /// The items of a list.
+    pub(crate) fn of(&self, list: usize) -> &[usize] {
+        &self.items[self.starts[list]..self.starts[list + 1]]
+    }
+}
