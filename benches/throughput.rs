@@ -3,7 +3,8 @@
 //! `cargo bench --bench throughput` measures, prints a line `RATIO name value` per key figure, and writes `docs/performance`:
 //! a table (CSV) per study, plots (SVG), and the tables of `docs/performance.md`. With `-- --quick` it measures less, holds the
 //! figures to loose bounds and writes `target/throughput` instead. Competitors are timed in turns within one run, on one
-//! thread. A figure past its bound is reported, and ends the program with 1.
+//! thread. A figure past its bound is reported, and ends the program with 1. After names of studies (`-- traces edges`) only they
+//! are measured, and written to `target/throughput`.
 
 #![allow(missing_docs, reason = "a program")]
 #![allow(unreachable_pub, dead_code, clippy::unwrap_used, reason = "a measurement that cannot go on fails")]
@@ -55,6 +56,8 @@ use std::process::ExitCode;
 
 use study::Study;
 
+/// Each may be asked for alone.
+const STUDIES: [&str; 7] = ["nearest", "edges", "traces", "sweeps", "pictures", "compiling", "threads"];
 /// Factor by which a quick run may miss a bound: only a slip of an order of magnitude counts.
 const LOOSE: f64 = 20.0;
 
@@ -66,17 +69,39 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let mut study = Study::new("throughput", "performance", is_asked("--quick"));
+    if STUDIES.iter().any(|name| is_asked(name)) {
+        study = study.aside();
+    }
     study.figures.looseness = study.size(LOOSE, 1.0);
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    one_thread.install(|| {
-        nearest::run(&mut study);
-        let large_is_feasible = growth::edges(&mut study);
-        traces::run(&mut study, large_is_feasible);
-        growth::rays_and_depth(&mut study);
-        pictures::run(&mut study);
-        whole::compiling(&mut study, large_is_feasible);
-    });
-    whole::threads(&mut study);
+    one_thread.install(|| run(&mut study, is_asked));
     study.save(&machine::table());
     study.finish()
+}
+
+/// Runs the studies that are asked for, or all.
+fn run(study: &mut Study, is_asked: impl Fn(&str) -> bool) {
+    let is_meant = |name| is_asked(name) || !STUDIES.iter().any(|name| is_asked(name));
+    let mut large_is_feasible = true;
+    if is_meant("nearest") {
+        nearest::run(study);
+    }
+    if is_meant("edges") {
+        large_is_feasible = growth::edges(study);
+    }
+    if is_meant("traces") {
+        traces::run(study, large_is_feasible);
+    }
+    if is_meant("sweeps") {
+        growth::rays_and_depth(study);
+    }
+    if is_meant("pictures") {
+        pictures::run(study);
+    }
+    if is_meant("compiling") {
+        whole::compiling(study, large_is_feasible);
+    }
+    if is_meant("threads") {
+        whole::threads(study);
+    }
 }

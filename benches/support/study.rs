@@ -24,6 +24,13 @@ impl Study {
         Self { name, page, is_quick, folder, figures: Figures::default() }
     }
 
+    /// The same, but it writes target/`name`: a run of some studies only.
+    pub(crate) fn aside(mut self) -> Self {
+        self.folder = root().join("target").join(self.name);
+        fs::create_dir_all(&self.folder).unwrap();
+        self
+    }
+
     /// The size of a measurement.
     pub(crate) fn size<T>(&self, quick: T, full: T) -> T {
         if self.is_quick { quick } else { full }

@@ -2,7 +2,7 @@
 
 use snellius::{Ending, OpticalSystem, Scene, Segment, TracedRay, Visitor, compile, summarize, visit};
 
-use crate::flat::Flat;
+use crate::flat::{Flat, Nearest};
 use crate::parry::{Parry, STRATEGY};
 use crate::race::Task;
 use crate::scalar::Loop;
@@ -10,6 +10,8 @@ use crate::scalar::Loop;
 pub(crate) const OURS: &str = "ours";
 pub(crate) const SCALAR: &str = "scalar loop";
 pub(crate) const PARRY: &str = "parry2d";
+/// parry2d's hierarchy without its ray cast.
+pub(crate) const BOXES: &str = "parry2d's boxes, tests ours";
 
 /// Followed segments after which the scalar loop may stop: a segment costs it the same all along.
 const ENOUGH: u64 = 10_000;
@@ -38,12 +40,17 @@ impl Contest {
     pub(crate) fn tasks(&self) -> Vec<Task<'_>> {
         let mut tasks = vec![self.ours()];
         if let Some(parry) = &self.parry {
-            let trace = || self.flat.trace(self.rays, |from, ahead, last| parry.nearest(from, ahead, last));
-            let light = trace();
-            self.check(PARRY, light.followed, light.total());
-            tasks.push(Task::new(PARRY, light.followed, trace));
+            tasks.push(self.other(PARRY, |from, ahead, last| parry.nearest(from, ahead, last)));
+            tasks.push(self.other(BOXES, |from, ahead, last| parry.nearest_with_our_tests(from, ahead, last)));
         }
         tasks
+    }
+
+    /// The plain trace over all rays with some search, checked.
+    fn other<'a>(&'a self, name: &'static str, nearest: impl Nearest + Copy + 'a) -> Task<'a> {
+        let light = self.flat.trace(self.rays, nearest);
+        self.check(name, light.followed, light.total());
+        Task::new(name, light.followed, move || self.flat.trace(self.rays, nearest))
     }
 
     /// The scalar loop, over as many of the rays as give a fair number of segments.

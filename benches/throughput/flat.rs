@@ -10,6 +10,11 @@ use snellius::light::Power;
 /// No edge.
 pub(crate) const NONE: usize = usize::MAX;
 
+/// A search: from a point ahead, the nearest curve but for one, and its distance.
+pub(crate) trait Nearest: Fn(DVec2, DVec2, usize) -> Option<(usize, f64)> {}
+
+impl<F: Fn(DVec2, DVec2, usize) -> Option<(usize, f64)>> Nearest for F {}
+
 /// Interfaces that refract, edges before arcs, and ray starts of a system at the first line of its source.
 pub(crate) struct Flat {
     pub(crate) curves: Vec<Curve>,
@@ -58,8 +63,8 @@ impl Flat {
         }
     }
 
-    /// Traces the first `rays` rays; `nearest` gives the nearest curve but for `last`, and its distance.
-    pub(crate) fn trace(&self, rays: usize, nearest: impl Fn(DVec2, DVec2, usize) -> Option<(usize, f64)>) -> Light {
+    /// Traces the first `rays` rays.
+    pub(crate) fn trace(&self, rays: usize, nearest: impl Nearest) -> Light {
         let mut light = Light::default();
         let mut waiting = Vec::new();
         for &(from, direction, power) in self.starts.iter().take(rays) {

@@ -94,23 +94,12 @@ impl<V: Visitor> Run<'_, '_, V> {
         let is_deep = branch.hits >= self.replay.max_depth;
         let is_weak = branch.power.total() < self.replay.min_power * self.ray.power;
         let met = if is_deep || is_weak { None } else { *self.next.next().unwrap() };
-        let segment = Segment {
-            id,
-            parent: branch.parent,
-            via: branch.via,
-            from: branch.from + self.replay.system.origin(),
-            to: None,
-            direction: branch.direction,
-            medium_index: branch.n,
-            power: branch.power,
-            optical_path: branch.optical_path,
-            ending: match (is_deep, is_weak) {
-                (true, _) => Ending::CutMaxDepth,
-                (_, true) => Ending::CutMinPower,
-                _ => Ending::Escaped,
-            },
-            hit: None,
+        let ending = match (is_deep, is_weak) {
+            (true, _) => Ending::CutMaxDepth,
+            (_, true) => Ending::CutMinPower,
+            _ => Ending::Escaped,
         };
+        let segment = branch.segment(id, branch.from + self.replay.system.origin(), ending);
         match met {
             Some((interface, from_left)) => self.arrive(branch, interface, from_left, segment),
             None => segment,
@@ -142,6 +131,25 @@ impl<V: Visitor> Run<'_, '_, V> {
         }
         let to = Some(at + self.replay.system.origin());
         Segment { to, optical_path, ending: Ending::Interface, hit: Some(hit), ..segment }
+    }
+}
+
+impl Branch {
+    /// As it is recorded where it meets nothing.
+    fn segment(&self, id: SegmentId, from: DVec2, ending: Ending) -> Segment {
+        Segment {
+            id,
+            parent: self.parent,
+            via: self.via,
+            from,
+            to: None,
+            direction: self.direction,
+            medium_index: self.n,
+            power: self.power,
+            optical_path: self.optical_path,
+            ending,
+            hit: None,
+        }
     }
 }
 

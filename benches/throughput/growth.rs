@@ -28,33 +28,32 @@ struct Measured {
 /// The growth with edges; whether the largest size but one was reached.
 pub(crate) fn edges(study: &mut Study) -> bool {
     let mut table = Table::new("edges", &["edges", "segments followed", "compile (s)", OURS, SCALAR, PARRY]);
-    let powers = 1..=study.size(4, 6);
+    let last = study.size(4, 6);
     let (mut results, mut spent) = (Vec::new(), 0.0);
-    for power in powers.clone() {
-        let edges = 10_usize.pow(power);
+    for edges in (1..=last).map(|power| 10_usize.pow(power)) {
         if spent > PATIENCE {
             println!("left out: {edges} edges, since a tenth of them took {spent:.0} s");
             break;
         }
         let scene = by_power(scattered(edges / 10, 10, study.size(4, 64)));
-        let start = Instant::now();
-        let compiled = snellius::compile(&scene).unwrap();
-        let seconds = start.elapsed().as_secs_f64();
-        drop(compiled);
+        let compiling = seconds(|| drop(snellius::compile(&scene)));
         let contest = Contest::new(&scene);
-        let start = Instant::now();
-        drop(snellius::summarize(&contest.system));
-        spent = seconds.max(start.elapsed().as_secs_f64());
+        spent = compiling.max(seconds(|| drop(snellius::summarize(&contest.system))));
         let times = timed(study, &contest, edges <= SCALAR_EDGES);
-        let cell = |name| times.get(name).map_or(String::new(), digits);
-        let [ours, scalar, parry] = COMPETITORS.map(cell);
-        table.row([edges.to_string(), contest.followed.to_string(), digits(seconds), ours, scalar, parry]);
+        let [ours, scalar, parry] = COMPETITORS.map(|name| times.get(name).map_or(String::new(), digits));
+        table.row([edges.to_string(), contest.followed.to_string(), digits(compiling), ours, scalar, parry]);
         results.push(Measured { x: edges as f64, times });
     }
     study.save(&table);
     study.draw("edges", &[panel("Scattered polygons", "edges", &results)]);
-    growth_figure(study, *powers.end(), &results);
-    results.len() + 1 >= powers.count()
+    growth_figure(study, last, &results);
+    results.len() + 1 >= last as usize
+}
+
+fn seconds(run: impl FnOnce()) -> f64 {
+    let start = Instant::now();
+    run();
+    start.elapsed().as_secs_f64()
 }
 
 fn growth_figure(study: &mut Study, last: u32, results: &[Measured]) {
@@ -74,8 +73,8 @@ pub(crate) fn rays_and_depth(study: &mut Study) {
     let many = |rays: u32| rays as usize;
     let scenes: [(&str, &dyn Fn(u32) -> Scene); 2] =
         [("10 slab surfaces", &slabs), ("500 polygons", &|rays| scattered(500, 5, many(rays)))];
-    let rays = study.size(vec![1, 4], vec![1, 4, 16, 64, 256]);
-    let depths = study.size(vec![1, 8], vec![1, 2, 4, 8, 16, 32, 64]);
+    let rays = study.size(vec![1, 4], vec![1, 2, 4, 8, 16, 32, 64]);
+    let depths = study.size(vec![2, 8], vec![1, 2, 4, 8, 16, 32, 64]);
     let (mut by_rays, mut by_depth) = (Vec::new(), Vec::new());
     for (name, scene) in scenes {
         let swept = rays.iter().map(|rays| (*rays, by_power(scene(*rays))));

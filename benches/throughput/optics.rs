@@ -56,9 +56,9 @@ pub(crate) fn guide(rays: u32) -> Scene {
     Scene { bodies: vec![bar], sources: vec![source(light)], ..Scene::default() }
 }
 
-/// Convex polygons of different sizes and indices, none overlapping, that fill two fifths of a square field of cells of size 1;
-/// every `rays`-th ray starts at a corner of a random cell and heads for the polygon there. Per five polygons there are five times
-/// `corners` edges, from two fewer to two more each.
+/// Convex polygons of different sizes and indices, none overlapping, one to a cell of size 1 of a square field; rays from
+/// corners of random cells to the polygons there. Five polygons have five times `corners` edges, each from two fewer to two
+/// more.
 pub(crate) fn scattered(polygons: usize, corners: usize, rays: usize) -> Scene {
     let mut random = Random(5);
     let across = columns(polygons);

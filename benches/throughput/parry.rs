@@ -3,7 +3,7 @@
 use glam::DVec2;
 use parry2d_f64::bounding_volume::Aabb;
 use parry2d_f64::math::Vector;
-use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy};
+use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use parry2d_f64::query::{Ray, RayCast};
 use parry2d_f64::shape::Segment;
 use snellius::geometry::Curve;
@@ -11,7 +11,7 @@ use snellius::geometry::Curve;
 use crate::scalar::Edge;
 
 /// That which gives the faster traces.
-pub(crate) const STRATEGY: BvhBuildStrategy = BvhBuildStrategy::Ploc;
+pub(crate) const STRATEGY: BvhBuildStrategy = BvhBuildStrategy::Binned;
 
 /// Edges in a hierarchy of boxes.
 pub(crate) struct Parry {
@@ -34,6 +34,20 @@ impl Parry {
     /// With the plain loop's test of an edge.
     pub(crate) fn nearest(&self, from: DVec2, direction: DVec2, last: usize) -> Option<(usize, f64)> {
         self.cast(from, direction, last, |k, _, _| self.edges[k].distance(from, direction))
+    }
+
+    /// Its hierarchy with tests of one's own for edges and boxes, the direction inverted once a ray and not once a box.
+    pub(crate) fn nearest_with_our_tests(&self, from: DVec2, direction: DVec2, last: usize) -> Option<(usize, f64)> {
+        let inverse = direction.recip();
+        let entry = |node: &BvhNode, best: f64| {
+            let (low, high) = (node.mins(), node.maxs());
+            let one = (DVec2::new(low.x, low.y) - from) * inverse;
+            let other = (DVec2::new(high.x, high.y) - from) * inverse;
+            let (enter, leave) = (one.min(other).max_element().max(0.0), one.max(other).min_element().min(best));
+            if enter <= leave { enter } else { f64::MAX }
+        };
+        let test = |k: u32, _| self.edges[k as usize].distance(from, direction).filter(|_| k as usize != last);
+        self.boxes.find_best(f64::MAX, entry, test).map(|(k, distance)| (k as usize, distance))
     }
 
     fn cast(

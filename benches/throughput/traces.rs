@@ -2,7 +2,7 @@
 
 use snellius::{OpticalSystem, Segment, Summary, TracedRay, Visitor, visit};
 
-use crate::contest::{Contest, OURS, PARRY, SCALAR};
+use crate::contest::{BOXES, Contest, OURS, PARRY, SCALAR};
 use crate::figures::Bound;
 use crate::floor::Replay;
 use crate::optics::{BOUNCES, by_power, guide, scattered, spectrum, to_depth, triplet};
@@ -12,7 +12,7 @@ use crate::study::Study;
 use crate::table::{Table, digits};
 
 const FLOOR: &str = "floor";
-const COLUMNS: [&str; 9] = [
+const COLUMNS: [&str; 10] = [
     "scene",
     "edges",
     "segments followed",
@@ -20,6 +20,7 @@ const COLUMNS: [&str; 9] = [
     "million segments per second",
     "scalar loop (ns)",
     "parry2d (ns)",
+    "its boxes (ns)",
     "floor (ns)",
     "floor / ours",
 ];
@@ -130,5 +131,6 @@ fn row(table: &mut Table, name: &str, contest: &Contest, times: &Times) {
     let edges = contest.system.interfaces().len().to_string();
     let [speed, ours] = [1e3 / ours, ours].map(digits);
     let followed = contest.followed.to_string();
-    table.row([name.into(), edges, followed, ours, speed, time(SCALAR), time(PARRY), time(FLOOR), floor]);
+    let [scalar, parry, boxes, least] = [SCALAR, PARRY, BOXES, FLOOR].map(time);
+    table.row([name.into(), edges, followed, ours, speed, scalar, parry, boxes, least, floor]);
 }
