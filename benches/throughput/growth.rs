@@ -107,7 +107,7 @@ fn timed(study: &Study, contest: &Contest, with_scalar: bool) -> Times {
     if with_scalar {
         tasks.push(contest.scalar());
     }
-    race(study.size(3, 7), tasks)
+    race(study, tasks)
 }
 
 fn panel(title: &str, axis: &'static str, results: &[Measured]) -> Panel {

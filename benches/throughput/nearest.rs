@@ -52,7 +52,7 @@ fn measure(study: &Study, edges: usize) -> Times {
         task(PARRYS[3], &system, &flat, |from, ahead, last| ploc.nearest(from, ahead, last)),
         task(BOXES, &system, &flat, |from, ahead, last| binned.nearest_with_our_tests(from, ahead, last)),
     ];
-    race(study.size(3, 11), tasks)
+    race(study, tasks)
 }
 
 /// A search that was seen to find what we find.

@@ -26,7 +26,7 @@ pub(crate) fn run(study: &mut Study) {
         Task::new("png", segments, || render::png(&drawing, 1.0).unwrap()),
         Task::new("a stroke a segment", segments, || strokes(&drawing)),
     ];
-    let times = race(study.size(3, 7), tasks);
+    let times = race(study, tasks);
     let mut table = Table::new("pictures", &["step", "ns per segment"]);
     for step in ["summarize", "trace", "draw", "svg", "png", "a stroke a segment"] {
         table.row([step.into(), digits(times.of(step))]);

@@ -1,6 +1,9 @@
 //! Competitors timed in turns.
 
 use crate::clock::medians;
+use crate::study::Study;
+
+const MOST_ROUNDS: u32 = 301;
 
 /// What is timed: its name, how many segments or queries a run of it takes, and the run.
 pub(crate) struct Task<'a> {
@@ -19,10 +22,14 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Nanoseconds per segment of every task.
-pub(crate) fn race(rounds: usize, tasks: Vec<Task<'_>>) -> Times {
+/// Nanoseconds per segment of every task: the median of several rounds, of more the shorter they are, since what else the machine
+/// does interrupts some runs and must not be the median.
+pub(crate) fn race(study: &Study, tasks: Vec<Task<'_>>) -> Times {
     let (names, mut runs): (Vec<_>, Vec<_>) = tasks.into_iter().map(|task| ((task.name, task.count), task.run)).unzip();
-    let seconds = medians(rounds, &mut runs);
+    let round: f64 = medians(1, &mut runs).iter().sum();
+    let (least, patience) = study.size((3, 0.3), (9, 3.0));
+    let rounds = (least..MOST_ROUNDS).find(|rounds| f64::from(*rounds) * round > patience).unwrap_or(MOST_ROUNDS);
+    let seconds = medians(rounds as usize, &mut runs);
     Times(names.iter().zip(seconds).map(|((name, count), seconds)| (*name, 1e9 * seconds / *count as f64)).collect())
 }
 

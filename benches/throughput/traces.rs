@@ -70,7 +70,7 @@ fn others(study: &Study, table: &mut Table) {
     row(table, "light guide, 1000 bounces", &contest, &times);
     // One index an edge: the others know no wavelengths.
     let contest = Contest::new(&by_power(spectrum(study.size(4, 64))));
-    let times = race(study.size(3, 11), vec![contest.ours()]);
+    let times = race(study, vec![contest.ours()]);
     row(table, "prism of N-BK7, 64 lines", &contest, &times);
 }
 
@@ -83,7 +83,7 @@ fn timed(study: &Study, contest: &Contest, with_scalar: bool, with_floor: bool) 
     if let Some(replay) = &replay {
         tasks.push(Task::new(FLOOR, contest.followed, || summary(&contest.system, |sum| replay.visit(sum))));
     }
-    race(study.size(3, 11), tasks)
+    race(study, tasks)
 }
 
 /// A replay that was seen to give the segments of the trace.

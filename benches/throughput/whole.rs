@@ -20,7 +20,7 @@ pub(crate) fn threads(study: &mut Study) {
         Task::new("1", segments, || one.install(|| summarize(&system))),
         Task::new("2", segments, || two.install(|| summarize(&system))),
     ];
-    let times = race(study.size(3, 9), tasks);
+    let times = race(study, tasks);
     study.figures.ratio("threads_2", times.of("1") / times.of("2"), Bound::AtLeast { bound: 1.8, goal: 1.95 });
 }
 
@@ -38,6 +38,6 @@ pub(crate) fn compiling(study: &mut Study, is_feasible: bool) {
         Task::new("compile", edges as u64, || compile(&scene).unwrap()),
         Task::new("parry2d", edges as u64, || boxes(&curves, Binned)),
     ];
-    let times = race(study.size(1, 5), tasks);
+    let times = race(study, tasks);
     study.figures.ratio(&name, times.of("compile") / times.of("parry2d"), bound);
 }
