@@ -10,7 +10,7 @@ use snellius::geometry::Curve;
 
 use crate::scalar::Edge;
 
-/// That which gives the faster traces.
+/// Its default, mostly the faster of its two.
 pub(crate) const STRATEGY: BvhBuildStrategy = BvhBuildStrategy::Binned;
 
 /// Edges in a hierarchy of boxes.
