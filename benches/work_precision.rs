@@ -7,13 +7,13 @@
 #![allow(missing_docs, reason = "a program")]
 #![allow(unreachable_pub, dead_code, clippy::unwrap_used, reason = "a measurement that cannot go on fails")]
 
-#[path = "work_precision/clock.rs"]
+#[path = "support/clock.rs"]
 mod clock;
 #[path = "work_precision/cuts.rs"]
 mod cuts;
 #[path = "work_precision/double_double.rs"]
 mod double_double;
-#[path = "work_precision/figures.rs"]
+#[path = "support/figures.rs"]
 mod figures;
 #[path = "work_precision/forms.rs"]
 mod forms;
@@ -23,17 +23,19 @@ mod incidences;
 mod irradiance;
 #[path = "work_precision/lens.rs"]
 mod lens;
-#[path = "work_precision/machine.rs"]
+#[path = "support/machine.rs"]
 mod machine;
-#[path = "work_precision/page.rs"]
+#[path = "support/page.rs"]
 mod page;
-#[path = "work_precision/plot.rs"]
+#[path = "support/plot.rs"]
 mod plot;
 #[path = "../tests/support/random.rs"]
 mod random;
-#[path = "work_precision/study.rs"]
+#[path = "support/scenes.rs"]
+mod scenes;
+#[path = "support/study.rs"]
 mod study;
-#[path = "work_precision/table.rs"]
+#[path = "support/table.rs"]
 mod table;
 #[path = "work_precision/truth.rs"]
 mod truth;
@@ -51,7 +53,7 @@ fn main() -> ExitCode {
         println!("nothing measured: `cargo bench --bench work_precision` does");
         return ExitCode::SUCCESS;
     }
-    let mut study = Study::new(is_asked("--quick"));
+    let mut study = Study::new("work_precision", "accuracy", is_asked("--quick"));
     forms::run(&mut study);
     lens::run(&mut study);
     cuts::run(&mut study);

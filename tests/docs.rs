@@ -14,7 +14,7 @@
 mod accuracy;
 #[path = "docs/commands.rs"]
 mod commands;
-#[path = "../benches/work_precision/page.rs"]
+#[path = "../benches/support/page.rs"]
 mod filled_page;
 #[path = "docs/links.rs"]
 mod links;
@@ -25,7 +25,7 @@ mod scene_format;
 #[path = "docs/scenes.rs"]
 mod scenes;
 #[allow(dead_code, reason = "only what is read is needed")]
-#[path = "../benches/work_precision/table.rs"]
+#[path = "../benches/support/table.rs"]
 mod table;
 #[path = "docs/trace_format.rs"]
 mod trace_format;

@@ -4,18 +4,15 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use glam::DVec2;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Substance, TraceSettings};
+use snellius::scene::{Body, Shape, TraceSettings};
 use snellius::{OpticalSystem, Scene, Summary, compile, summarize};
 
 use crate::clock::medians;
-use crate::lens::source;
 use crate::plot::{Curve, Panel};
 use crate::random::Random;
+use crate::scenes::{NO_DEPTH, beam, body, prism, slabs, source};
 use crate::study::Study;
 use crate::table::{Table, digits};
-
-/// Deep enough that only power cuts.
-const NO_DEPTH: u32 = 100_000;
 
 struct Measured {
     scene: &'static str,
@@ -29,7 +26,7 @@ struct Measured {
 }
 
 pub(crate) fn run(study: &mut Study) {
-    let scenes = [("prism", prism()), ("slabs", slabs()), ("500 polygons", polygons())];
+    let scenes = [("prism", prism(64)), ("slabs", slabs(16)), ("500 polygons", polygons())];
     let most = study.size(4000, 1_000_000);
     let mut results = Vec::new();
     for (name, scene) in &scenes {
@@ -124,29 +121,6 @@ impl Measured {
         let TraceSettings { min_power, max_depth, .. } = TraceSettings::default();
         self.min_power.to_bits() == min_power.to_bits() && [max_depth, NO_DEPTH].contains(&self.max_depth)
     }
-}
-
-fn body(shape: Shape, at: DVec2) -> Body {
-    let substance = Substance::Medium(Medium::Index(1.5));
-    Body { name: None, label: None, color: None, shape, at, rotate: 0.0, substance }
-}
-
-fn beam(center: DVec2, degrees: f64, width: f64, rays: u32) -> Light {
-    Light::Beam { center, direction: Direction::Angle(degrees), width, rays }
-}
-
-/// An equilateral prism, lit over one face.
-fn prism() -> Scene {
-    let body = body(Shape::Prism { apex_angle: 60.0, side: 30.0 }, DVec2::ZERO);
-    let light = beam(DVec2::new(-30.0, -6.0), 12.0, 16.0, 64);
-    Scene { bodies: vec![body], sources: vec![source(light)], ..Scene::default() }
-}
-
-/// Five slabs, ten surfaces.
-fn slabs() -> Scene {
-    let slab = |k: u32| body(Shape::Rectangle { width: 4.0, height: 1000.0 }, DVec2::new(10.0 * f64::from(k), 0.0));
-    let light = beam(DVec2::new(-20.0, 0.0), 40.0, 8.0, 16);
-    Scene { bodies: (0..5).map(slab).collect(), sources: vec![source(light)], ..Scene::default() }
 }
 
 /// 500 convex polygons, none overlapping, that fill a fifth of their field.

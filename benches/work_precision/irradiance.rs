@@ -11,9 +11,9 @@ use snellius::scene::{Body, Direction, Light, Shape, Source, Substance, Surface}
 use snellius::{OpticalSystem, Scene, compile, summarize};
 
 use crate::clock::medians;
-use crate::lens::source;
 use crate::plot::{Curve, Panel};
 use crate::random::Random;
+use crate::scenes::source;
 use crate::study::Study;
 use crate::table::{Table, digits};
 

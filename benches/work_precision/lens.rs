@@ -5,13 +5,12 @@ use std::time::Instant;
 
 use f256::f256;
 use glam::DVec2;
-use snellius::scene::{
-    Body, Direction, Light, Medium, Polarization, SecondaryRays, Shape, Source, Spectrum, Substance,
-};
+use snellius::scene::{Body, Direction, Light, Medium, SecondaryRays, Shape, Substance};
 use snellius::{Ending, OpticalSystem, Scene, Segment, TracedRay, Visitor, compile, summarize, visit};
 
 use crate::clock::medians;
 use crate::plot::{Curve, Panel};
+use crate::scenes::source;
 use crate::study::Study;
 use crate::table::{Table, digits};
 use crate::truth;
@@ -113,11 +112,6 @@ fn scene(facets: Option<u32>) -> Scene {
         Scene { bodies: vec![lens], sources: (0..RAYS).map(|k| source(ray(k))).collect(), ..Scene::default() };
     scene.trace.secondary_rays = SecondaryRays::TransmittedOnly;
     scene
-}
-
-pub(crate) fn source(light: Light) -> Source {
-    let (spectrum, polarization) = (Spectrum::default(), Polarization::Unpolarized);
-    Source { name: None, color: None, light, spectrum, power: 1.0, polarization }
 }
 
 /// The worst distance between a ray's crossing of the axis and where it crosses behind the true arc, over the focal length.

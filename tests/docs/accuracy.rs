@@ -1,4 +1,4 @@
-//! The tables of docs/accuracy.md.
+//! The tables of docs/accuracy.md and docs/performance.md.
 
 use std::fs;
 
@@ -7,8 +7,11 @@ use crate::page::root;
 
 #[test]
 fn the_tables_are_those_of_their_files() {
-    let page = fs::read_to_string(root().join("docs/accuracy.md")).unwrap();
-    assert_eq!(filled(&page, &root().join("docs/accuracy")), page);
+    for name in ["accuracy", "performance"] {
+        let folder = root().join("docs").join(name);
+        let page = fs::read_to_string(folder.with_extension("md")).unwrap();
+        assert_eq!(filled(&page, &folder), page);
+    }
 }
 
 #[test]
