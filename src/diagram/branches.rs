@@ -174,7 +174,7 @@ impl Sight<'_> {
             (None, Ending::Escaped) => (self.frame.turn(segment.direction), f64::INFINITY),
             (None, _) => (self.frame.turn(segment.direction), STUB),
         };
-        let outside = || self.everywhere.then(|| [from, from + ahead * end.min(1e6)]);
+        let outside = || self.everywhere.then(|| [from, from + ahead * end.min(1e4)]);
         clip(from, ahead, end, &self.frame.area).or_else(outside)
     }
 }

@@ -70,7 +70,12 @@ pub fn draw_counted(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> (D
 }
 
 /// `everywhere` draws segments outside the view too, to see that they make no difference.
-pub(crate) fn laid_out(scene: &Scene, system: &OpticalSystem, tree: &RayTree, everywhere: bool) -> (Drawing, Statistics) {
+pub(crate) fn laid_out(
+    scene: &Scene,
+    system: &OpticalSystem,
+    tree: &RayTree,
+    everywhere: bool,
+) -> (Drawing, Statistics) {
     let settings = &scene.diagram;
     let palette = Palette::of(settings.theme);
     let (header, below) = header::header(scene, &palette);

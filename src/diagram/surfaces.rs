@@ -26,7 +26,10 @@ pub(super) fn surfaces(figure: &Figure<'_>) -> Vec<Item> {
         Substance::Medium(_) | Substance::Elements => None,
     });
     let surfaces: Vec<_> = surfaces.collect();
-    let lit = lit_sides(figure, surfaces.iter().filter(|(_, surface, placed)| has_dark_side(*surface, placed)).map(|(k, ..)| *k));
+    let lit = lit_sides(
+        figure,
+        surfaces.iter().filter(|(_, surface, placed)| has_dark_side(*surface, placed)).map(|(k, ..)| *k),
+    );
     let named = surfaces.into_iter().map(|(k, surface, placed)| {
         let lit = lit.get(&k).map_or(&[][..], Vec::as_slice);
         bodies::named(figure, k, marks(figure, k, surface, placed, lit))
@@ -48,9 +51,8 @@ fn marks(figure: &Figure<'_>, k: usize, surface: Surface, placed: &PlacedBody, l
             items.extend(hatching(figure, lit, outline, stroke.color));
         }
         let line = outline::path(&figure.frame, &outline.curves, outline.closed);
-        items.extend(
-            filling(lit, outline, stroke.color).map(|fill| Shape::filled(line.clone(), fill, "opaque").into()),
-        );
+        items
+            .extend(filling(lit, outline, stroke.color).map(|fill| Shape::filled(line.clone(), fill, "opaque").into()));
         items.push(Shape::stroked(line, stroke.clone(), class(surface)).into());
         if let Surface::ThinLens { focal_length } = surface {
             let heads = heads(figure, outline, focal_length);

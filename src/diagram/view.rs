@@ -26,7 +26,8 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, area
     let aspect = area.size().x.max(1.0) / area.size().y.max(1.0);
     let (lit, escaped) = lit(tree, scene.diagram.faintest);
     let unlit = extensions::points(scene, tree);
-    let Some(things) = Extent::of(things(scene, system).into_iter().chain(lit.into_iter().flat_map(Extent::ends))) else {
+    let Some(things) = Extent::of(things(scene, system).into_iter().chain(lit.into_iter().flat_map(Extent::ends)))
+    else {
         return Extent { min: DVec2::splat(-1.0), max: DVec2::splat(1.0) };
     };
     let focused = crossings(&escaped, &things, aspect).into_iter().chain(unlit).fold(things, Extent::with);

@@ -1,17 +1,61 @@
-use tiny_skia::{BlendMode, PremultipliedColorU8};
+use tiny_skia::BlendMode;
 
-/// A color laid on another, both premultiplied.
-pub(super) fn laid_on(below: PremultipliedColorU8, [r, g, b, a]: [u32; 4], mode: BlendMode) -> PremultipliedColorU8 {
-    let mix = |below: u8, above: u32| {
-        let covers = if mode == BlendMode::Screen { above } else { a };
-        u8::try_from(above + share(u32::from(below), 255 - covers)).unwrap_or(u8::MAX)
-    };
-    let channels = [mix(below.red(), r), mix(below.green(), g), mix(below.blue(), b), mix(below.alpha(), a)];
-    let [r, g, b, a] = channels;
-    PremultipliedColorU8::from_rgba(r.min(a), g.min(a), b.min(a), a).unwrap_or(below)
+/// Coverages of a pixel that are told apart, from none to all 16 samples.
+pub(super) const COVERAGES: usize = 17;
+
+/// A premultiplied color to lay on others, by how much of a pixel it covers.
+pub(super) struct Paint {
+    color: [u32; 4],
+    mode: BlendMode,
+    /// The same for every number of covered samples.
+    coats: [Coat; COVERAGES],
+}
+
+/// A color ready to be laid on others, in 255ths.
+#[derive(Clone, Copy)]
+struct Coat {
+    color: [u16; 4],
+    /// What each channel leaves of what is below.
+    left: [u16; 4],
+}
+
+impl Paint {
+    /// A straight color of some opacity.
+    pub(super) fn new([r, g, b]: [u8; 3], opacity: u8, mode: BlendMode) -> Self {
+        let color = [r, g, b, 255].map(|channel| share(u32::from(channel), u32::from(opacity)));
+        let coats =
+            std::array::from_fn(|count| coat(color, u32::try_from(16 * count).map_or(255, |c| c.min(255)), mode));
+        Self { color, mode, coats }
+    }
+
+    /// Lays it on a pixel of which some samples are covered, where a mask of 0 to 255 lets it.
+    pub(super) fn lay_on(&self, pixel: &mut [u8; 4], count: u8, mask: u8) {
+        let coat = match mask {
+            255 => self.coats[usize::from(count)],
+            mask => coat(self.color, share((16 * u32::from(count)).min(255), u32::from(mask)), self.mode),
+        };
+        for ((below, color), left) in pixel.iter_mut().zip(coat.color).zip(coat.left) {
+            // Rounded division by 255.
+            let kept = u16::from(*below) * left + 128;
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "a premultiplied color and the rest of another are one at most"
+            )]
+            let mixed = (color + ((kept + (kept >> 8)) >> 8)) as u8;
+            *below = mixed;
+        }
+    }
+}
+
+fn coat(color: [u32; 4], coverage: u32, mode: BlendMode) -> Coat {
+    #[allow(clippy::cast_possible_truncation, reason = "at most 255")]
+    let color = color.map(|channel| share(channel, coverage) as u16);
+    // Screening lets each channel hold back its own, covering lets the opacity hold back all.
+    let left = if mode == BlendMode::Screen { color } else { [color[3]; 4] };
+    Coat { color, left: left.map(|held| 255 - held) }
 }
 
 /// A number times a share in 255ths, rounded.
-pub(super) fn share(number: u32, share: u32) -> u32 {
+fn share(number: u32, share: u32) -> u32 {
     (number * share + 127) / 255
 }

@@ -11,7 +11,7 @@ use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder
 use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Group, Item, Lines, Path, PathStep, Rect, Shape, Stroke};
 use crate::drawing::{Text, Whole};
 use crate::render::encode::encode;
-use crate::render::mix::{laid_on, share};
+use crate::render::mix;
 use crate::render::samples::Samples;
 
 /// A picture of more pixels would need over half a gigabyte.
@@ -88,7 +88,13 @@ impl Canvas {
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1.5e8, just checked")]
         let pixels = Pixmap::new(width as u32, height as u32).ok_or(refused)?;
-        Ok(Self { pixels, transform: Transform::from_scale(scale, scale), mode: BlendMode::SourceOver, samples: None, clipped: None })
+        Ok(Self {
+            pixels,
+            transform: Transform::from_scale(scale, scale),
+            mode: BlendMode::SourceOver,
+            samples: None,
+            clipped: None,
+        })
     }
 
     fn items(&mut self, items: &[Item], mask: Option<&Mask>) {
@@ -128,7 +134,16 @@ impl Canvas {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers within the picture")]
         let (at, pixels) = ([min.x as i32, min.y as i32], Pixmap::new(size.x as u32, size.y as u32)?);
         let (x, y) = single(-min);
-        Some((at, Self { pixels, transform: self.transform.post_translate(x, y), mode: BlendMode::SourceOver, samples: None, clipped: None }))
+        Some((
+            at,
+            Self {
+                pixels,
+                transform: self.transform.post_translate(x, y),
+                mode: BlendMode::SourceOver,
+                samples: None,
+                clipped: None,
+            },
+        ))
     }
 
     fn shape(&mut self, shape: &Shape, mask: Option<&Mask>) {
@@ -161,16 +176,10 @@ impl Canvas {
             let [a, b] = [place(*ax, *ay), place(*bx, *by)].map(|p| p * scale + move_by);
             samples.cover(a, b, 0.5 * lines.stroke.width * scale);
         }
-        let Color([r, g, b]) = lines.stroke.color;
-        let alpha = u32::from(alpha(lines.stroke.opacity));
-        let paint = [r, g, b, 255].map(|channel| share(u32::from(channel), alpha));
-        let mode = self.mode;
+        let paint = mix::Paint::new(lines.stroke.color.0, alpha(lines.stroke.opacity), self.mode);
         let masked = mask.map(Mask::data);
-        let pixels = self.pixels.pixels_mut();
-        samples.take(|at, count| {
-            let coverage = share((16 * u32::from(count)).min(255), masked.map_or(255, |mask| u32::from(mask[at])));
-            pixels[at] = laid_on(pixels[at], paint.map(|channel| share(channel, coverage)), mode);
-        });
+        let (pixels, _) = self.pixels.data_mut().as_chunks_mut();
+        samples.take(|at, count| paint.lay_on(&mut pixels[at], count, masked.map_or(255, |mask| mask[at])));
         self.samples = Some(samples);
     }
 

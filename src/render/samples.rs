@@ -4,6 +4,8 @@
 //! every line has round ends and crossings are not painted twice. A stroker's outlines would have to be sorted along every
 //! row of samples; here a line sets its bits and is done.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 /// Samples along a pixel's side.
@@ -15,6 +17,8 @@ const PIXELS: usize = 16;
 pub(super) struct Samples {
     width: usize,
     height: usize,
+    /// Blocks in a row of pixels.
+    words: usize,
     /// The four rows of samples of sixteen pixels each, from the left upper corner.
     blocks: Vec<[u64; 4]>,
 }
@@ -23,46 +27,59 @@ impl Samples {
     /// None covered yet, for a picture of so many pixels.
     pub(super) fn new(width: u32, height: u32) -> Self {
         let [width, height] = [width as usize, height as usize];
-        Self { width, height, blocks: vec![[0; 4]; width.div_ceil(PIXELS) * height] }
+        let words = width.div_ceil(PIXELS);
+        Self { width, height, words, blocks: vec![[0; 4]; words * height] }
     }
 
     /// Covers the samples of a line with round ends, pixels.
     pub(super) fn cover(&mut self, from: DVec2, to: DVec2, half_width: f64) {
         let line = Line::new(from * SIDE, to * SIDE, half_width * SIDE);
-        let [rows, columns] = [self.height, self.width].map(|pixels| SIDE * real(pixels));
-        let [top, bottom] = [line.a.y - line.r, line.b.y + line.r].map(|y| whole(y.clamp(0.0, rows)));
-        for row in top..bottom {
-            let y = real(row) + 0.5;
-            let [left, right] = [-1.0, 1.0].map(|side| whole(line.border(y, side).clamp(0.0, columns)));
+        let [top, bottom] = line.rows(line.r).map(|y| first(y, self.height));
+        // Between the arcs of its ends both borders are straight and equally far apart.
+        let [from, to] = line.rows(-line.lift.abs()).map(|y| first(y, self.height).clamp(top, bottom));
+        let mut arcs = |rows: Range<usize>| {
+            for row in rows {
+                let [left, right] = [-1.0, 1.0].map(|side| line.border(middle(row), side));
+                self.set(row, left, right);
+            }
+        };
+        arcs(top..from.min(to));
+        arcs(from.max(to)..bottom);
+        if from >= to {
+            return arcs(to..from);
+        }
+        let [mut left, mut right] = [-1.0, 1.0].map(|side| line.border(middle(from), side));
+        for row in from..to {
             self.set(row, left, right);
+            left += line.slope;
+            right += line.slope;
         }
     }
 
-    /// Covers the samples of a row from `left` to before `right`.
-    fn set(&mut self, row: usize, left: usize, right: usize) {
+    /// Covers the samples of a row between two borders.
+    #[inline]
+    fn set(&mut self, row: usize, left: f64, right: f64) {
+        let [left, right] = [left, right].map(|border| first(border, self.width));
         if left >= right {
             return;
         }
-        let first = row / 4 * self.width.div_ceil(PIXELS);
+        let start = row / 4 * self.words;
         let (from, to) = (left / 64, (right - 1) / 64);
-        for word in from..=to {
-            let mut bits = u64::MAX;
-            if word == from {
-                bits &= u64::MAX << (left % 64);
-            }
-            if word == to {
-                bits &= u64::MAX >> (63 - (right - 1) % 64);
-            }
-            self.blocks[first + word][row % 4] |= bits;
+        let row_of = |block: &mut [u64; 4], bits| block[row % 4] |= bits;
+        let (head, tail) = (u64::MAX << (left % 64), u64::MAX >> (63 - (right - 1) % 64));
+        if from == to {
+            return row_of(&mut self.blocks[start + from], head & tail);
         }
+        row_of(&mut self.blocks[start + from], head);
+        self.blocks[start + from + 1..start + to].iter_mut().for_each(|block| row_of(block, u64::MAX));
+        row_of(&mut self.blocks[start + to], tail);
     }
 
     /// Hands on every pixel that has covered samples, by its place in the picture's rows, with how many of 16, and forgets
     /// them.
     pub(super) fn take(&mut self, mut pixel: impl FnMut(usize, u8)) {
-        let words = self.width.div_ceil(PIXELS);
         for (i, block) in self.blocks.iter_mut().enumerate().filter(|(_, block)| **block != [0; 4]) {
-            let place = i / words * self.width + i % words * PIXELS;
+            let place = i / self.words * self.width + i % self.words * PIXELS;
             for (k, count) in counts(std::mem::take(block)).into_iter().enumerate().filter(|(_, count)| *count > 0) {
                 pixel(place + k, count);
             }
@@ -94,18 +111,25 @@ struct Line {
     along: DVec2,
     /// Step to the right for a step down.
     slope: f64,
+    /// How much higher than its ends the straight border on the right starts and stops, and lower the one on the left.
+    lift: f64,
 }
 
 impl Line {
     fn new(a: DVec2, b: DVec2, r: f64) -> Self {
         let (a, b) = if (a.y, a.x) <= (b.y, b.x) { (a, b) } else { (b, a) };
         let along = (b - a).try_normalize().unwrap_or(DVec2::X);
-        Self { a, b, r, along, slope: along.x / along.y }
+        Self { a, b, r, along, slope: along.x / along.y, lift: r * along.x }
+    }
+
+    /// Heights so far above its upper end and below its lower one.
+    fn rows(&self, beyond: f64) -> [f64; 2] {
+        [self.a.y - beyond, self.b.y + beyond]
     }
 
     /// Where it ends at a height to the left (`side` −1) or to the right (1): a straight border between two arcs.
     fn border(&self, y: f64, side: f64) -> f64 {
-        let lift = side * self.r * self.along.x;
+        let lift = side * self.lift;
         let arc = |end: DVec2| end.x + side * (self.r * self.r - (y - end.y) * (y - end.y)).max(0.0).sqrt();
         if y <= self.a.y - lift {
             arc(self.a)
@@ -117,15 +141,19 @@ impl Line {
     }
 }
 
-/// The first sample whose middle is not before a border, which is not below 0.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a picture")]
-fn whole(border: f64) -> usize {
-    (border + 0.5) as usize
+/// The first sample along so many pixels whose middle is not before a border; one beyond the last if there is none.
+fn first(border: f64, pixels: usize) -> usize {
+    /// A sum with it has the nearest whole number in its last bits, a multiple as fast as a conversion.
+    const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
+    let samples = 4 * pixels;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "within a picture")]
+    let sample = (border.clamp(0.0, samples as f64) + WHOLE).to_bits() as u32;
+    (sample as usize).min(samples)
 }
 
-#[allow(clippy::cast_precision_loss, reason = "within a picture")]
-fn real(number: usize) -> f64 {
-    number as f64
+/// The middle of a sample along its row or column.
+fn middle(sample: usize) -> f64 {
+    u32::try_from(sample).map_or(f64::INFINITY, f64::from) + 0.5
 }
 
 #[cfg(test)]
@@ -216,7 +244,9 @@ mod tests {
             plain.fill_path(&outline, &paint, FillRule::Winding, Transform::identity(), None);
             let differences = differences(&picture(&lines), &plain);
             let apart = |by: u8| differences.iter().filter(|difference| **difference > by).count();
-            println!("{width}: {} > 1, {} > 16, {} > 32", apart(1), apart(16), apart(32));
+            // tiny-skia rounds corners to 1/256 px: here and there a border is on the other side of one sample.
+            assert!(apart(1) * 50 < differences.len(), "{width}: {}", apart(1));
+            assert_eq!(apart(16), 0, "{width}");
         }
     }
 
