@@ -341,7 +341,7 @@ fn union(a: Rect, b: Rect) -> Rect {
 
 /// A point in tiny-skia's precision.
 #[allow(clippy::cast_possible_truncation, reason = "pixel coordinates; a float holds a hundredth of a pixel")]
-fn single(p: DVec2) -> (f32, f32) {
+pub(super) fn single(p: DVec2) -> (f32, f32) {
     (p.x as f32, p.y as f32)
 }
 

@@ -163,6 +163,7 @@ mod tests {
     use super::*;
     use crate::drawing::{Color, Drawing, Lines, Rect, Stroke};
     use crate::render::png;
+    use crate::render::png::{alpha, single};
 
     const SIZE: u32 = 96;
 
@@ -230,9 +231,9 @@ mod tests {
         for (count, width, opacity) in [(20, 2.4, 1.0), (60, 1.3, 0.5), (60, 0.6, 0.3)] {
             let lines = lines(count, width, opacity);
             let mut pen = PathBuilder::new();
-            for [a, b] in lines.ends.iter().map(|line| ends(*line)) {
-                pen.move_to(a.x as f32, a.y as f32);
-                pen.line_to(b.x as f32, b.y as f32);
+            for [a, b] in lines.ends.iter().map(|line| ends(*line).map(single)) {
+                pen.move_to(a.0, a.1);
+                pen.line_to(b.0, b.1);
             }
             #[allow(clippy::cast_possible_truncation, reason = "a width of a few pixels")]
             let stroke = Plain { width: width as f32, line_cap: LineCap::Round, ..Plain::default() };
@@ -240,7 +241,7 @@ mod tests {
             let mut plain = Pixmap::new(SIZE, SIZE).unwrap();
             plain.fill(tiny_skia::Color::WHITE);
             let mut paint = Paint::default();
-            paint.set_color_rgba8(0x20, 0x40, 0xc0, crate::render::png::alpha(opacity));
+            paint.set_color_rgba8(0x20, 0x40, 0xc0, alpha(opacity));
             plain.fill_path(&outline, &paint, FillRule::Winding, Transform::identity(), None);
             let differences = differences(&picture(&lines), &plain);
             let apart = |by: u8| differences.iter().filter(|difference| **difference > by).count();
