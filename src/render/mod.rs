@@ -5,6 +5,7 @@ mod encode;
 mod mix;
 mod png;
 mod samples;
+mod skia;
 mod svg;
 
 pub use png::{RenderError, png};

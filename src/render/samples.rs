@@ -145,10 +145,8 @@ impl Line {
 fn first(border: f64, pixels: usize) -> usize {
     /// A sum with it has the nearest whole number in its last bits, a multiple as fast as a conversion.
     const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
-    let samples = 4 * pixels;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "within a picture")]
-    let sample = (border.clamp(0.0, samples as f64) + WHOLE).to_bits() as u32;
-    (sample as usize).min(samples)
+    let sample = (border + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits()).cast_signed();
+    usize::try_from(sample).unwrap_or(0).min(4 * pixels)
 }
 
 /// The middle of a sample along its row or column.
@@ -163,7 +161,8 @@ mod tests {
     use super::*;
     use crate::drawing::{Color, Drawing, Lines, Rect, Stroke};
     use crate::render::png;
-    use crate::render::png::{alpha, single};
+    use crate::render::png::alpha;
+    use crate::render::skia::single;
 
     const SIZE: u32 = 96;
 
