@@ -12,8 +12,11 @@ pub(super) fn encode(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
     encoder.set_color(if opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
     let mut writer = encoder.write_header()?;
     if opaque {
-        let rgb = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
-        writer.write_image_data(&rgb.collect::<Vec<u8>>())?;
+        let mut rgb = vec![0; 3 * pixels.pixels().len()];
+        for (three, pixel) in rgb.chunks_exact_mut(3).zip(pixels.pixels()) {
+            three.copy_from_slice(&[pixel.red(), pixel.green(), pixel.blue()]);
+        }
+        writer.write_image_data(&rgb)?;
     } else {
         writer.write_image_data(&pixels.clone().take_demultiplied())?;
     }
