@@ -7,7 +7,7 @@ mod support;
 use std::collections::BTreeSet;
 
 use roxmltree::{Document, Node};
-use snellius::diagram::draw;
+use snellius::diagram::{draw, draw_counted};
 use snellius::drawing::Drawing;
 use snellius::render;
 use support::run_text;
@@ -283,4 +283,42 @@ fn check(text: &str) {
             }
         }
     }
+}
+
+#[test]
+fn what_is_drawn_and_spared_is_counted() {
+    let counted = |text: &str| {
+        let run = run_text(text);
+        let all: usize = run.trace.tree.rays.iter().map(|ray| ray.segments.len()).sum();
+        (draw_counted(&run.scene, &run.system, &run.trace.tree).1, all)
+    };
+    let boxed = "view: Box((-20, -30), (0, -10)), faintest: 0.05";
+    for text in [white(""), white(boxed), white("faintest: 0"), PRISM.to_owned()] {
+        let (counts, all) = counted(&text);
+        assert_eq!(counts.segments_drawn + counts.segments_outside_view + counts.segments_below_faintest, all);
+    }
+    let (whole, _) = counted(&white("faintest: 0"));
+    assert_eq!((whole.segments_outside_view, whole.segments_below_faintest), (0, 0));
+    let (cut, _) = counted(&white(boxed));
+    assert!(cut.segments_outside_view > 0 && cut.segments_below_faintest > 0 && cut.segments_drawn > 0);
+    assert!(whole.marks_drawn > 0 && !whole.font_used, "{whole:?}");
+    let (bare, _) = counted(&white("normals: false, arrows: false"));
+    assert_eq!(bare.marks_drawn, 0);
+    assert!(counted(PRISM).0.font_used);
+}
+
+#[test]
+fn paths_of_any_depth_are_drawn() {
+    // Written out, the letters of all these paths would take 5 GB.
+    let text = svg(r#"(
+        bodies: [
+            (shape: Flat(from: (0, -5), to: (0, 5)), surface: Mirror),
+            (shape: Flat(from: (9, -5), to: (9, 5)), surface: Mirror),
+        ],
+        sources: [(light: Ray(from: (1, 0), direction: Angle(0)), spectrum: Lines([500, 600]))],
+        trace: (max_depth: 100000),
+        diagram: (extensions: true),
+    )"#);
+    check(&text);
+    assert!(text.contains("class=\"ray reflection\""));
 }

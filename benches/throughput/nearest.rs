@@ -3,8 +3,10 @@
 use glam::DVec2;
 use parry2d_f64::partitioning::BvhBuildStrategy::{Binned, Ploc};
 use snellius::light::Power;
-use snellius::scene::{Direction, Light, TraceSettings};
-use snellius::{OpticalSystem, Scene, Segment, TracedRay, Visitor, compile, visit};
+use snellius::scene::{Direction, Light};
+use snellius::system::RayStart;
+use snellius::trace::{Ray, Search};
+use snellius::{OpticalSystem, Scene, compile};
 
 use crate::contest::{OURS, SCALAR};
 use crate::figures::Bound;
@@ -69,9 +71,10 @@ fn task<'a>(name: &'static str, system: &OpticalSystem, flat: &'a Flat, nearest:
 
 /// The sum of the distances of all rays to what they meet first, −1 for nothing.
 fn ours(system: &OpticalSystem) -> f64 {
-    let mut distances = Distances(0.0);
-    visit(system, &mut distances);
-    distances.0
+    let mut search = Search::new(system);
+    let starts = system.sources().iter().flat_map(|source| &source.starts);
+    let rays = starts.map(|&RayStart { from, direction, medium, start }| Ray { from, direction, medium, start });
+    rays.map(|ray| search.nearest(&ray).map_or(-1.0, |crossing| crossing.distance)).sum()
 }
 
 /// Random rays from random points of a field of polygons, followed to their first hit.
@@ -83,16 +86,5 @@ fn system(polygons: usize, rays: usize) -> OpticalSystem {
         source(Light::Ray { from, direction: Direction::Angle(360.0 * random.unit()) })
     };
     let sources = (0..rays).map(|_| ray()).collect();
-    let trace = TraceSettings { max_depth: 1, ..TraceSettings::default() };
-    compile(&Scene { sources, trace, ..scattered(polygons, 5, 0) }).unwrap().system
-}
-
-struct Distances(f64);
-
-impl Visitor for Distances {
-    fn segment(&mut self, _: &TracedRay, segment: Segment) {
-        if segment.parent.is_none() {
-            self.0 += segment.to.map_or(-1.0, |to| to.distance(segment.from));
-        }
-    }
+    compile(&Scene { sources, ..scattered(polygons, 5, 0) }).unwrap().system
 }

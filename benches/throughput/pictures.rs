@@ -65,35 +65,46 @@ fn stroke_items(pixels: &mut Pixmap, items: &[Item]) {
     for item in items {
         match item {
             Item::Group(group) => stroke_items(pixels, &group.items),
+            Item::Lines(lines) => {
+                let ends = lines.ends.iter().map(|ends| ends.map(|hundredths| hundredths as f32 / 100.0));
+                stroke_lines(pixels, ends, &lines.stroke);
+            }
             Item::Shape(Shape { path, stroke: Some(stroke), class, .. }) if class.starts_with("ray") => {
-                stroke_lines(pixels, path.steps(), stroke);
+                stroke_lines(pixels, ends(path.steps()).into_iter(), stroke);
             }
             Item::Shape(_) | Item::Text(_) => {}
         }
     }
 }
 
+/// The straight lines of a path.
+#[expect(clippy::cast_possible_truncation, reason = "pixels")]
+fn ends(steps: &[PathStep]) -> Vec<[f32; 4]> {
+    let mut from = None;
+    let mut line = |step: &PathStep| match *step {
+        PathStep::MoveTo(p) => {
+            from = Some(p);
+            None
+        }
+        PathStep::LineTo(to) => from.replace(to).map(|from| [from.x, from.y, to.x, to.y].map(|x| x as f32)),
+        PathStep::ArcTo { .. } | PathStep::Close => None,
+    };
+    steps.iter().filter_map(&mut line).collect()
+}
+
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "pixels, and a byte")]
-fn stroke_lines(pixels: &mut Pixmap, steps: &[PathStep], stroke: &Stroke) {
+fn stroke_lines(pixels: &mut Pixmap, lines: impl Iterator<Item = [f32; 4]>, stroke: &Stroke) {
     let Color([r, g, b]) = stroke.color;
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color_rgba8(r, g, b, (stroke.opacity.clamp(0.0, 1.0) * 255.0).round() as u8);
     let line_cap = if stroke.cap == Cap::Round { LineCap::Round } else { LineCap::Butt };
     let width = stroke.width as f32;
     let look = tiny_skia::Stroke { width, line_cap, line_join: LineJoin::Round, ..tiny_skia::Stroke::default() };
-    let mut from = None;
-    for step in steps {
-        match *step {
-            PathStep::MoveTo(p) => from = Some(p),
-            PathStep::LineTo(to) => {
-                let Some(start) = from.replace(to) else { continue };
-                let mut pen = PathBuilder::new();
-                pen.move_to(start.x as f32, start.y as f32);
-                pen.line_to(to.x as f32, to.y as f32);
-                let Some(path) = pen.finish() else { continue };
-                pixels.stroke_path(&path, &paint, &look, Transform::identity(), None);
-            }
-            PathStep::ArcTo { .. } | PathStep::Close => {}
-        }
+    for [x, y, to_x, to_y] in lines {
+        let mut pen = PathBuilder::new();
+        pen.move_to(x, y);
+        pen.line_to(to_x, to_y);
+        let Some(path) = pen.finish() else { continue };
+        pixels.stroke_path(&path, &paint, &look, Transform::identity(), None);
     }
 }

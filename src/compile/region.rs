@@ -197,7 +197,9 @@ mod tests {
     #[test]
     fn an_outline_of_many_arcs_holds_what_lies_inside() {
         let corner = |k: u32| f64::from(2 + k % 2) * crate::numerics::Turn::degrees(0.5 * f64::from(k)).direction();
-        let arc = |k: u32| Curve::arc_from_bulge(corner(k), corner((k + 1) % 720), if k.is_multiple_of(3) { 0.2 } else { -0.1 });
+        let arc = |k: u32| {
+            Curve::arc_from_bulge(corner(k), corner((k + 1) % 720), if k.is_multiple_of(3) { 0.2 } else { -0.1 })
+        };
         let outline = boundaries(&(0..720).map(arc).collect::<Vec<_>>());
         let star = Region::new(MediumId(0), &outline);
         let plain = Region { tree: None, ..star.clone() };

@@ -2,7 +2,7 @@ use glam::DVec2;
 
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
-use crate::diagram::rays::{Styles, opacity, strength};
+use crate::diagram::styles::{opacity, strength};
 use crate::drawing::{Fill, Item, Path, Shape};
 
 /// A shorter piece of ray has no arrowhead, pixels.
@@ -21,7 +21,7 @@ const PLACES: [f64; 3] = [0.5, 0.3, 0.7];
 
 /// Arrowheads past the middle of the branches, the strongest first, none on top of another.
 pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
-    let styles = Styles::new(figure);
+    let styles = &figure.styles;
     let mut heads: Vec<Head> = Vec::new();
     let mut items = Vec::new();
     let tried = figure.branches.iter().rev().take(MOST_TRIED);

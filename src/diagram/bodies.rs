@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use crate::diagram::{Figure, outline};
 use crate::drawing::{Color, Fill, Group, Item, Path, Rect, Shape, Stroke};
 use crate::geometry::Curve;
@@ -15,8 +17,11 @@ pub(super) fn bodies(figure: &Figure<'_>) -> Vec<Item> {
     let mut items: Vec<Item> = surroundings(figure).into_iter().collect();
     let bodies: Vec<_> = figure.system.bodies().iter().map(|body| filled(&body.outlines)).collect();
     let turns: Vec<usize> = (0..bodies.len()).map(|k| outline_turn(&bodies, k)).collect();
+    let mut by_turn: Vec<usize> = (0..bodies.len()).collect();
+    by_turn.sort_by_key(|k| turns[*k]);
+    let mut waiting = by_turn.into_iter().peekable();
     for turn in 0..=bodies.len() {
-        for k in (0..bodies.len()).filter(|k| turns[*k] == turn) {
+        while let Some(k) = waiting.next_if(|k| turns[*k] == turn) {
             items.extend(outlines(figure, k, &bodies[k]));
         }
         if bodies.get(turn).is_some_and(|body| !body.is_empty()) {
@@ -91,12 +96,13 @@ pub(super) fn named(figure: &Figure<'_>, k: usize, items: Vec<Item>) -> Item {
 
 /// Boundaries between different media, by the body that they belong to.
 fn interfaces(figure: &Figure<'_>) -> Vec<Item> {
-    let system = figure.system;
-    let count = system.interfaces().iter().map(|interface| interface.body + 1).max().unwrap_or(0);
-    let lines = (0..count).map(|k| {
-        let own = system.interfaces().iter().filter(|i| i.body == k && i.action == Action::Refract);
+    let mut by_body: BTreeMap<usize, Vec<&Interface>> = BTreeMap::new();
+    for interface in figure.system.interfaces().iter().filter(|interface| interface.action == Action::Refract) {
+        by_body.entry(interface.body).or_default().push(interface);
+    }
+    let lines = by_body.into_iter().map(|(k, own)| {
         let mut path = Path::new();
-        for chain in chains(own, figure) {
+        for chain in chains(own.into_iter(), figure) {
             path.append(outline::path(&figure.frame, &chain, false));
         }
         Shape::stroked(path, Stroke::solid(line_color(figure, k), INTERFACE_WIDTH), "interface")

@@ -1,10 +1,9 @@
-use std::collections::BTreeMap;
-
 use glam::DVec2;
 
 use crate::diagram::blend::Blend;
 use crate::diagram::coincidence::groups;
 use crate::diagram::frame::{Frame, clip};
+use crate::diagram::paths::{Member, bundles};
 use crate::trace::{Ending, RayTree, Segment, SegmentId, TracedRay};
 
 /// Length of the stub that shows a branch that was not followed, pixels.
@@ -27,6 +26,8 @@ pub(super) struct Branch<'a> {
     pub(super) power: f64,
     /// The same as a share of the source ray.
     pub(super) share: f64,
+    /// How many segments it stands for.
+    pub(super) members: usize,
     /// What it stands for, if for several coincident spectral lines.
     pub(super) blend: Option<Blend>,
     /// How many spectral lines its source ray has, those that coincide here counted once.
@@ -61,7 +62,7 @@ impl<'a> Branch<'a> {
     /// A segment by itself between two points of the figure.
     pub(super) fn plain(ray: &'a TracedRay, segment: &'a Segment, ends: [DVec2; 2]) -> Self {
         let (power, share) = (segment.power.total(), share(ray, segment));
-        Self { ray, segment, power, share, blend: None, lines: 1, fan: None, arrow: true, ends }
+        Self { ray, segment, power, share, members: 1, blend: None, lines: 1, fan: None, arrow: true, ends }
     }
 
     /// Its address, the first line's if it stands for several.
@@ -85,47 +86,96 @@ pub(super) fn share(ray: &TracedRay, segment: &Segment) -> f64 {
     portion(segment.power.total(), ray.power)
 }
 
-/// Path letters of all segments of a ray.
-pub(super) fn paths(ray: &TracedRay) -> Vec<String> {
-    let mut paths: Vec<String> = Vec::with_capacity(ray.segments.len());
-    for segment in &ray.segments {
-        let parent = segment.parent.and_then(|SegmentId(id)| paths.get(id as usize));
-        let mut path = parent.cloned().unwrap_or_default();
-        path.extend(segment.via.letter());
-        paths.push(path);
-    }
-    paths
+/// Path letters of a segment, from its source on.
+pub(super) fn letters(ray: &TracedRay, id: SegmentId) -> String {
+    let way = std::iter::successors(ray.segments.get(id.index()), |segment| ray.segments.get(segment.parent?.index()));
+    let backward: Vec<char> = way.filter_map(|segment| segment.via.letter()).collect();
+    backward.into_iter().rev().collect()
 }
 
-/// All branches that are seen and carry at least `faintest` of their source ray, weakest first.
-pub(super) fn visible<'a>(tree: &'a RayTree, frame: &Frame, faintest: f64) -> Vec<Branch<'a>> {
-    let mut branches = Vec::new();
-    for lines in tree.rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)) {
-        match lines {
-            [ray] => branches.extend(ray.segments.iter().filter_map(|segment| single(ray, segment, 1, frame))),
-            lines => several(lines, frame, &mut branches),
+/// Segments that are not drawn.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Spared {
+    pub(super) outside_view: usize,
+    pub(super) below_faintest: usize,
+}
+
+/// What of the tree is drawn, and where.
+pub(super) struct Sight<'f> {
+    pub(super) frame: &'f Frame,
+    /// Branches below this share of their source ray are not drawn.
+    pub(super) faintest: f64,
+    /// Whether segments outside the view are drawn too, for tests.
+    pub(super) everywhere: bool,
+}
+
+impl Sight<'_> {
+    /// Hands on all branches that are drawn, in the tree's order.
+    pub(super) fn visit<'a>(&self, tree: &'a RayTree, show: &mut impl FnMut(&Branch<'a>)) -> Spared {
+        let mut spared = Spared::default();
+        let mut fans = 0;
+        for lines in tree.rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)) {
+            match lines {
+                [ray] => ray.segments.iter().for_each(|segment| {
+                    if share(ray, segment) < self.faintest {
+                        spared.below_faintest += 1;
+                    } else if let Some(ends) = self.ends(segment) {
+                        show(&Branch::plain(ray, segment, ends));
+                    } else {
+                        spared.outside_view += 1;
+                    }
+                }),
+                lines => bundles(lines, |bundle| {
+                    fans += 1;
+                    self.bundle(lines, bundle, fans, &mut spared, show);
+                }),
+            }
+        }
+        spared
+    }
+
+    /// Branches of one ray's spectral lines that took the same path.
+    fn bundle<'a>(
+        &self,
+        lines: &'a [TracedRay],
+        members: &[Member],
+        id: usize,
+        spared: &mut Spared,
+        show: &mut impl FnMut(&Branch<'a>),
+    ) {
+        let segments = members.iter().map(|member| {
+            let ray = &lines[member.line()];
+            (ray, &ray.segments[member.segment()])
+        });
+        // A share of several lines lies between theirs.
+        if segments.clone().all(|(ray, segment)| share(ray, segment) < self.faintest) {
+            spared.below_faintest += members.len();
+            return;
+        }
+        let seen = segments.filter_map(|(ray, segment)| {
+            Some(Branch { lines: lines.len(), ..Branch::plain(ray, segment, self.ends(segment)?) })
+        });
+        let seen: Vec<Branch<'_>> = seen.collect();
+        spared.outside_view += members.len() - seen.len();
+        for branch in drawn(&seen, id) {
+            if branch.share < self.faintest {
+                spared.below_faintest += branch.members;
+            } else {
+                show(&branch);
+            }
         }
     }
-    branches.retain(|branch| branch.share >= faintest);
-    branches.sort_by(|a, b| a.share.total_cmp(&b.share));
-    branches
-}
 
-fn single<'a>(ray: &'a TracedRay, segment: &'a Segment, lines: usize, frame: &Frame) -> Option<Branch<'a>> {
-    Some(Branch { lines, ..Branch::plain(ray, segment, ends(segment, frame)?) })
-}
-
-/// Branches of one ray's spectral lines, bundled by their paths.
-fn several<'a>(lines: &'a [TracedRay], frame: &Frame, branches: &mut Vec<Branch<'a>>) {
-    let mut by_path: BTreeMap<String, Vec<Branch<'a>>> = BTreeMap::new();
-    for ray in lines {
-        for (segment, path) in ray.segments.iter().zip(paths(ray)) {
-            by_path.entry(path).or_default().extend(single(ray, segment, lines.len(), frame));
-        }
-    }
-    for bundle in by_path.into_values() {
-        // The number of branches so far is a name that no other bundle has.
-        branches.extend(drawn(&bundle, branches.len()));
+    /// The visible part of a segment: an escaped one runs to the frame, one that was not followed is a stub.
+    fn ends(&self, segment: &Segment) -> Option<[DVec2; 2]> {
+        let from = self.frame.place(segment.from);
+        let (ahead, end) = match (segment.to, segment.ending) {
+            (Some(to), _) => (self.frame.place(to) - from, 1.0),
+            (None, Ending::Escaped) => (self.frame.turn(segment.direction), f64::INFINITY),
+            (None, _) => (self.frame.turn(segment.direction), STUB),
+        };
+        let outside = || self.everywhere.then(|| [from, from + ahead * end.min(1e4)]);
+        clip(from, ahead, end, &self.frame.area).or_else(outside)
     }
 }
 
@@ -183,18 +233,7 @@ fn merged<'a>(group: &[Branch<'a>]) -> Option<Branch<'a>> {
     }
     let power: f64 = group.iter().map(|branch| branch.power).sum();
     let emitted = group.iter().map(|branch| branch.ray.power).sum();
-    Some(Branch { power, share: portion(power, emitted), blend: Some(Blend::of(group)), ..first })
-}
-
-/// The visible part of a segment: an escaped one runs to the frame, one that was not followed is a stub.
-fn ends(segment: &Segment, frame: &Frame) -> Option<[DVec2; 2]> {
-    let from = frame.place(segment.from);
-    let ahead = frame.turn(segment.direction);
-    match (segment.to, segment.ending) {
-        (Some(to), _) => clip(from, frame.place(to) - from, 1.0, &frame.area),
-        (None, Ending::Escaped) => clip(from, ahead, f64::INFINITY, &frame.area),
-        (None, _) => clip(from, ahead, STUB, &frame.area),
-    }
+    Some(Branch { power, share: portion(power, emitted), members: group.len(), blend: Some(Blend::of(group)), ..first })
 }
 
 fn portion(part: f64, whole: f64) -> f64 {

@@ -1,11 +1,13 @@
 //! What light does not do: where rays that spread seem to come from, and where a turned ray would have gone.
 
+use std::collections::BTreeMap;
+
 use glam::DVec2;
 
 use crate::diagram::Figure;
-use crate::diagram::branches::{Branch, paths, share};
+use crate::diagram::blend::Blend;
+use crate::diagram::branches::{Branch, letters, share};
 use crate::diagram::frame::{Extent, Frame, clip};
-use crate::diagram::rays::Styles;
 use crate::drawing::{Item, Path, Shape, Stroke};
 use crate::numerics::cross;
 use crate::scene::Scene;
@@ -33,27 +35,32 @@ pub(super) struct Extension<'a> {
     open: bool,
 }
 
-impl Extension<'_> {
-    /// Whether it continues a drawn branch: that of its segment, or of the same path if it stands for several lines.
-    fn follows(&self, branch: &Branch<'_>) -> bool {
-        let path = |address: String| address.rsplit(':').next().map(str::to_owned);
-        (branch.ray.source, branch.ray.ray) == (self.ray.source, self.ray.ray)
-            && path(branch.address()) == path(self.ray.address(self.segment.id))
-    }
-}
-
 /// Dashed lines of the extensions, each in the color of its ray.
 pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Item> {
     let all = found(figure.scene, figure.tree);
-    let styles = Styles::new(figure);
+    let blends = if all.is_empty() { BTreeMap::new() } else { blends(figure) };
     let items = all.iter().filter_map(|extension| {
         let [a, b] = ends(extension, &figure.frame)?;
-        let blend = figure.branches.iter().find(|branch| extension.follows(branch)).and_then(|branch| branch.blend);
+        // It continues the branch of its segment, or of the same path if that stands for several lines.
+        let blend = blends.get(&way(extension.ray, extension.segment)).copied().flatten();
         let ray = Branch { blend, ..Branch::plain(extension.ray, extension.segment, [a, b]) };
-        let stroke = Stroke::solid(styles.color(&ray), 1.2).faded(0.6).dashed(&[2.0, 4.0]);
+        let stroke = Stroke::solid(figure.styles.color(&ray), 1.2).faded(0.6).dashed(&[2.0, 4.0]);
         Some(Shape::stroked(Path::line(a, b), stroke, "extension").into())
     });
     items.take(MOST).collect()
+}
+
+/// A source ray and the letters of a path, whatever the line.
+type AnyLine = (usize, usize, String);
+
+fn way(ray: &TracedRay, segment: &Segment) -> AnyLine {
+    (ray.source, ray.ray, letters(ray, segment.id))
+}
+
+/// What the branches of rays of several lines stand for, of equal paths the weakest.
+fn blends(figure: &Figure<'_>) -> BTreeMap<AnyLine, Option<Blend>> {
+    let several = figure.branches.iter().rev().filter(|branch| branch.ray.one_of_several_lines);
+    several.map(|branch| (way(branch.ray, branch.segment), branch.blend)).collect()
 }
 
 /// Points that the figure should show if it can: ends of the extensions of rays that spread.
@@ -107,17 +114,14 @@ struct Way<'a> {
 impl<'a> Way<'a> {
     /// `None` if the ray meets nothing.
     fn of(ray: &'a TracedRay) -> Option<Self> {
-        let mut segments = vec![ray.segments.first()?];
-        // Children stand after their parent.
-        while let Some(last) = segments.last() {
-            let later = ray.segments.iter().skip(last.id.index() + 1);
-            let children = later.filter(|segment| segment.parent == Some(last.id));
-            match children.max_by(|a, b| a.power.total().total_cmp(&b.power.total())) {
-                Some(strongest) => segments.push(strongest),
-                None => break,
-            }
+        let mut strongest: Vec<Option<&Segment>> = vec![None; ray.segments.len()];
+        for child in &ray.segments {
+            let Some(known) = child.parent.and_then(|parent| strongest.get_mut(parent.index())) else { continue };
+            *known = known.filter(|known| known.power.total() > child.power.total()).or(Some(child));
         }
-        let letters = paths(ray).get(segments.last()?.id.index())?.clone();
+        let first = ray.segments.first();
+        let segments: Vec<_> = std::iter::successors(first, |last| *strongest.get(last.id.index())?).collect();
+        let letters = letters(ray, segments.last()?.id);
         (segments.len() > 1).then_some(Self { ray, segments, letters })
     }
 

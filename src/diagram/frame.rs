@@ -37,6 +37,11 @@ impl Extent {
         if p.is_finite() { Self { min: self.min.min(p), max: self.max.max(p) } } else { self }
     }
 
+    /// Two opposite corners.
+    pub(super) fn ends(self) -> [DVec2; 2] {
+        [self.min, self.max]
+    }
+
     pub(super) fn center(&self) -> DVec2 {
         // Halves first: the sum of two numbers near the largest would overflow.
         0.5 * self.min + 0.5 * self.max

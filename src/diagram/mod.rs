@@ -7,6 +7,7 @@ mod blend;
 mod bodies;
 mod branches;
 mod coincidence;
+mod crowd;
 mod extensions;
 mod frame;
 mod grid;
@@ -17,9 +18,12 @@ mod normals;
 mod notes;
 mod outline;
 mod palette;
+mod paths;
 mod rays;
 mod scale_bar;
 mod sources;
+mod statistics;
+mod styles;
 mod surfaces;
 mod view;
 mod wrap;
@@ -29,9 +33,13 @@ use crate::scene::Scene;
 use crate::system::OpticalSystem;
 use crate::trace::RayTree;
 
-use branches::Branch;
+use branches::{Branch, Sight};
+use crowd::Crowd;
 use frame::Frame;
 use palette::Palette;
+use styles::Styles;
+
+pub use statistics::Statistics;
 
 /// Everything that the marks look at.
 struct Figure<'a> {
@@ -40,8 +48,11 @@ struct Figure<'a> {
     tree: &'a RayTree,
     frame: Frame,
     palette: Palette,
-    /// The branches that are drawn, weakest first.
+    styles: Styles<'a>,
+    /// The branches that are drawn, weakest first; only the strongest of very many.
     branches: Vec<Branch<'a>>,
+    /// Very many branches as they are drawn, empty where each is drawn by itself.
+    crowd: Vec<Item>,
 }
 
 /// Lays out the figure of a traced scene.
@@ -49,27 +60,56 @@ struct Figure<'a> {
 /// `system` and `tree` must come from `scene`; parts that do not fit together are left out.
 #[must_use]
 pub fn draw(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Drawing {
+    draw_counted(scene, system, tree).0
+}
+
+/// The same as [`draw`], and what it shows and spares.
+#[must_use]
+pub fn draw_counted(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> (Drawing, Statistics) {
+    laid_out(scene, system, tree, false)
+}
+
+/// `everywhere` draws segments outside the view too, to see that they make no difference.
+pub(crate) fn laid_out(
+    scene: &Scene,
+    system: &OpticalSystem,
+    tree: &RayTree,
+    everywhere: bool,
+) -> (Drawing, Statistics) {
     let settings = &scene.diagram;
     let palette = Palette::of(settings.theme);
     let (header, below) = header::header(scene, &palette);
     let area = area(scene, below);
     let frame = Frame::new(area, &view::extent(scene, system, tree, &area));
-    let branches = branches::visible(tree, &frame, settings.faintest);
-    let figure = Figure { scene, system, tree, frame, palette, branches };
+    let mut crowd = Crowd::new(Styles::new(scene, palette, tree));
+    let mut statistics = Statistics::default();
+    let sight = Sight { frame: &frame, faintest: settings.faintest, everywhere };
+    let spared = sight.visit(tree, &mut |branch| {
+        statistics.segments_drawn += branch.members;
+        crowd.push(branch);
+    });
+    let (branches, styles, crowd) = crowd.finish();
+    let mut figure = Figure { scene, system, tree, frame, palette, styles, branches, crowd };
     let mut items = figure.layers();
     items.push(Group::layer("header", header).into());
-    Drawing {
+    statistics.segments_outside_view = spared.outside_view;
+    statistics.segments_below_faintest = spared.below_faintest;
+    statistics.count(&items);
+    let drawing = Drawing {
         size: settings.size,
         background: Some(palette.ground),
         title: scene.title.clone(),
         description: scene.caption.clone(),
         items,
-    }
+    };
+    (drawing, statistics)
 }
 
 impl Figure<'_> {
     /// The layers from back to front.
-    fn layers(&self) -> Vec<Item> {
+    fn layers(&mut self) -> Vec<Item> {
+        let crowd = std::mem::take(&mut self.crowd);
+        let rays = if crowd.is_empty() { rays::rays(self) } else { crowd };
         let settings = &self.scene.diagram;
         let normals = if settings.normals { normals::normals(self) } else { Vec::new() };
         let mut layers = vec![self.layer("bodies", bodies::bodies(self))];
@@ -81,7 +121,7 @@ impl Figure<'_> {
         let words = labels::labels(self, &[&normals, &extensions]);
         layers.push(self.layer("normals", normals));
         layers.push(self.layer("extensions", extensions));
-        layers.push(self.layer("rays", rays::rays(self)));
+        layers.push(self.layer("rays", rays));
         if settings.arrows {
             layers.push(self.layer("arrows", arrows::arrows(self)));
         }

@@ -3,7 +3,7 @@ use glam::DVec2;
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
 use crate::diagram::frame::clip;
-use crate::diagram::rays::{opacity, strength};
+use crate::diagram::styles::{opacity, strength};
 use crate::drawing::{Item, Path, Shape, Stroke};
 
 /// Length of a normal to each side, pixels, while there are few.

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use glam::DVec2;
 
 use crate::diagram::{Figure, bodies, outline};
@@ -23,20 +25,34 @@ pub(super) fn surfaces(figure: &Figure<'_>) -> Vec<Item> {
         Substance::Surface(surface) => Some((k, surface, placed)),
         Substance::Medium(_) | Substance::Elements => None,
     });
-    surfaces.map(|(k, surface, placed)| bodies::named(figure, k, marks(figure, k, surface, placed))).collect()
+    let surfaces: Vec<_> = surfaces.collect();
+    let lit = lit_sides(
+        figure,
+        surfaces.iter().filter(|(_, surface, placed)| has_dark_side(*surface, placed)).map(|(k, ..)| *k),
+    );
+    let named = surfaces.into_iter().map(|(k, surface, placed)| {
+        let lit = lit.get(&k).map_or(&[][..], Vec::as_slice);
+        bodies::named(figure, k, marks(figure, k, surface, placed, lit))
+    });
+    named.collect()
 }
 
-fn marks(figure: &Figure<'_>, k: usize, surface: Surface, placed: &PlacedBody) -> Vec<Item> {
+/// Whether the sign of a surface tells where no light comes from.
+fn has_dark_side(surface: Surface, placed: &PlacedBody) -> bool {
+    surface == Surface::Mirror || placed.outlines.iter().any(|outline| outline.closed)
+}
+
+fn marks(figure: &Figure<'_>, k: usize, surface: Surface, placed: &PlacedBody, lit: &[Sides]) -> Vec<Item> {
     let stroke = stroke(figure, k, surface);
     let mut items = Vec::new();
-    for outline in &placed.outlines {
+    for (i, outline) in placed.outlines.iter().enumerate() {
+        let lit = lit.get(i).copied().unwrap_or_default();
         if surface == Surface::Mirror {
-            items.extend(hatching(figure, k, outline, stroke.color));
+            items.extend(hatching(figure, lit, outline, stroke.color));
         }
         let line = outline::path(&figure.frame, &outline.curves, outline.closed);
-        items.extend(
-            filling(figure, k, outline, stroke.color).map(|fill| Shape::filled(line.clone(), fill, "opaque").into()),
-        );
+        items
+            .extend(filling(lit, outline, stroke.color).map(|fill| Shape::filled(line.clone(), fill, "opaque").into()));
         items.push(Shape::stroked(line, stroke.clone(), class(surface)).into());
         if let Surface::ThinLens { focal_length } = surface {
             let heads = heads(figure, outline, focal_length);
@@ -70,11 +86,10 @@ fn class(surface: Surface) -> &'static str {
 }
 
 /// Fill of a closed surface that light does not get into, so that it looks solid; none where its inside is lit.
-fn filling(figure: &Figure<'_>, k: usize, outline: &Outline, color: Color) -> Option<Fill> {
+fn filling(lit: Sides, outline: &Outline, color: Color) -> Option<Fill> {
     if !outline.closed {
         return None;
     }
-    let lit = lit_sides(figure, k, &outline.curves);
     // Shoelace: above 0 the inside is on the left.
     let points: Vec<DVec2> = outline.curves.iter().flat_map(outline::samples).collect();
     let middle = points.iter().copied().reduce(DVec2::min)?;
@@ -99,10 +114,10 @@ fn heads(figure: &Figure<'_>, outline: &Outline, focal_length: f64) -> Path {
 }
 
 /// Short strokes on the side of a mirror that no light reaches; none if both sides or neither are lit.
-fn hatching(figure: &Figure<'_>, k: usize, outline: &Outline, color: Color) -> Option<Item> {
+fn hatching(figure: &Figure<'_>, lit: Sides, outline: &Outline, color: Color) -> Option<Item> {
     let points = outline::flatten(&figure.frame, &outline.curves);
     let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
-    let dark_left = dark_side_is_left(figure, k, &outline.curves)?;
+    let dark_left = dark_side_is_left(lit)?;
     if length > LONGEST_HATCHED {
         return None;
     }
@@ -125,22 +140,32 @@ fn hatching(figure: &Figure<'_>, k: usize, outline: &Outline, color: Color) -> O
     Some(Shape::stroked(path, stroke, "surface mirror-back").into())
 }
 
-fn dark_side_is_left(figure: &Figure<'_>, k: usize, curves: &[Curve]) -> Option<bool> {
-    match lit_sides(figure, k, curves) {
+fn dark_side_is_left(lit: Sides) -> Option<bool> {
+    match lit {
         [true, false] => Some(true),
         [false, true] => Some(false),
         _ => None,
     }
 }
 
-/// Whether light comes from the right of the direction of travel, and from the left.
-fn lit_sides(figure: &Figure<'_>, k: usize, curves: &[Curve]) -> [bool; 2] {
-    let mut lit = [false, false];
+/// Whether light comes from the right of an outline's direction of travel, and from the left.
+type Sides = [bool; 2];
+
+/// The lit sides of the outlines of some bodies.
+fn lit_sides(figure: &Figure<'_>, bodies: impl Iterator<Item = usize>) -> BTreeMap<usize, Vec<Sides>> {
+    let outlines = |k: usize| figure.system.bodies()[k].outlines.as_slice();
+    let mut lit: BTreeMap<_, _> = bodies.map(|k| (k, vec![Sides::default(); outlines(k).len()])).collect();
+    if lit.is_empty() {
+        return lit;
+    }
     for segment in figure.tree.rays.iter().flat_map(|ray| &ray.segments) {
-        let (Some(hit), Some(at)) = (segment.hit.filter(|hit| hit.body == k), segment.to) else { continue };
-        let nearest = curves.iter().min_by(|a, b| distance(a, at).total_cmp(&distance(b, at)));
-        let from_left = nearest.is_some_and(|curve| curve.normal_at(at).dot(hit.normal) > 0.0);
-        lit[usize::from(from_left)] = true;
+        let (Some(hit), Some(at)) = (segment.hit, segment.to) else { continue };
+        let Some(sides) = lit.get_mut(&hit.body) else { continue };
+        for (sides, outline) in sides.iter_mut().zip(outlines(hit.body)).filter(|(sides, _)| **sides != [true; 2]) {
+            let nearest = outline.curves.iter().min_by(|a, b| distance(a, at).total_cmp(&distance(b, at)));
+            let from_left = nearest.is_some_and(|curve| curve.normal_at(at).dot(hit.normal) > 0.0);
+            sides[usize::from(from_left)] = true;
+        }
     }
     lit
 }

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use crate::diagram::branches::{paths, share};
+use crate::diagram::branches::{letters, share};
 use crate::diagram::frame::Extent;
 use crate::diagram::{extensions, outline};
 use crate::drawing::Rect;
@@ -24,40 +24,52 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, area
         return Extent::point(a).with(b);
     }
     let aspect = area.size().x.max(1.0) / area.size().y.max(1.0);
-    let drawn = drawn(tree, scene.diagram.faintest);
+    let (lit, escaped) = lit(tree, scene.diagram.faintest);
     let unlit = extensions::points(scene, tree);
-    let Some(things) = Extent::of(things(scene, system, &drawn)) else {
+    let Some(things) = Extent::of(things(scene, system).into_iter().chain(lit.into_iter().flat_map(Extent::ends)))
+    else {
         return Extent { min: DVec2::splat(-1.0), max: DVec2::splat(1.0) };
     };
-    let focused = crossings(&drawn, &things, aspect).into_iter().chain(unlit).fold(things, Extent::with);
-    tails(&drawn, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN)
+    let focused = crossings(&escaped, &things, aspect).into_iter().chain(unlit).fold(things, Extent::with);
+    tails(&escaped, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN)
 }
 
-type Drawn<'a> = Vec<(&'a TracedRay, &'a Segment, f64)>;
+/// Segments with their rays and shares of the source ray.
+type Escaped<'a> = Vec<(&'a TracedRay, &'a Segment, f64)>;
 
-fn drawn(tree: &RayTree, faintest: f64) -> Drawn<'_> {
-    let all = tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment)));
-    let shares = all.map(|(ray, segment)| (ray, segment, share(ray, segment)));
-    shares.filter(|(_, _, share)| *share >= faintest).collect()
+/// The box of all segments that are drawn, and those of them that escaped.
+fn lit(tree: &RayTree, faintest: f64) -> (Option<Extent>, Escaped<'_>) {
+    let (mut lit, mut escaped) = (None, Vec::new());
+    for (ray, segment) in tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment))) {
+        let share = share(ray, segment);
+        if share < faintest {
+            continue;
+        }
+        lit = lit.or_else(|| Extent::of([segment.from])).map(|lit| lit.with(segment.from));
+        lit = match segment.to {
+            Some(to) => lit.map(|lit| lit.with(to)),
+            None => lit,
+        };
+        if segment.ending == Ending::Escaped {
+            escaped.push((ray, segment, share));
+        }
+    }
+    (lit, escaped)
 }
 
-/// Points that must be seen: bodies, the sources' starts, hits, notes.
-fn things(scene: &Scene, system: &OpticalSystem, drawn: &Drawn<'_>) -> Vec<DVec2> {
+/// Other points that must be seen: bodies, the sources' starts, notes.
+fn things(scene: &Scene, system: &OpticalSystem) -> Vec<DVec2> {
     let outlines = system.bodies().iter().flat_map(|body| &body.outlines);
     let mut points: Vec<DVec2> = outlines.flat_map(|o| &o.curves).flat_map(outline::samples).collect();
     let starts = system.sources().iter().flat_map(|source| &source.starts);
     points.extend(starts.map(|start| start.from + system.origin()));
-    for (_, segment, _) in drawn {
-        points.push(segment.from);
-        points.extend(segment.to);
-    }
     points.extend(scene.notes.iter().map(|note| note.at));
     points
 }
 
 /// Ends of escaped rays when they get a fair length; weak ones get less, spectral lines more, since they fan out slowly.
-fn tails(drawn: &Drawn<'_>, height: f64) -> impl Iterator<Item = DVec2> {
-    escaped(drawn).map(move |(ray, segment, share)| {
+fn tails(escaped: &Escaped<'_>, height: f64) -> impl Iterator<Item = DVec2> {
+    escaped.iter().map(move |(ray, segment, share)| {
         let length = if *share >= 0.1 { 0.35 } else { 0.2 };
         let fanning = if ray.one_of_several_lines { 2.0 } else { 1.0 };
         segment.from + segment.direction * (length * fanning * height)
@@ -65,14 +77,12 @@ fn tails(drawn: &Drawn<'_>, height: f64) -> impl Iterator<Item = DVec2> {
 }
 
 /// Where neighboring rays cross after they left the bodies.
-fn crossings(drawn: &Drawn<'_>, things: &Extent, aspect: f64) -> Vec<DVec2> {
+fn crossings(escaped: &Escaped<'_>, things: &Extent, aspect: f64) -> Vec<DVec2> {
     let reach = REACH * things.size().max_element();
     let beyond = 0.2 * things.height_at(aspect);
     let mut bundles: BTreeMap<(u64, String), Vec<(&TracedRay, &Segment)>> = BTreeMap::new();
-    let strong = drawn.iter().filter(|(_, segment, share)| *share >= STRONG && segment.ending == Ending::Escaped);
-    let mut path_of = PathOf::default();
-    for (ray, segment, _) in strong {
-        let key = (ray.wavelength.nanometers().to_bits(), path_of.path(ray, segment));
+    for (ray, segment, _) in escaped.iter().filter(|(_, _, share)| *share >= STRONG) {
+        let key = (ray.wavelength.nanometers().to_bits(), letters(ray, segment.id));
         bundles.entry(key).or_default().push((ray, segment));
     }
     let pairs = bundles.values().flat_map(|bundle| bundle.windows(2));
@@ -93,25 +103,4 @@ fn meet(a: &Segment, b: &Segment, reach: f64, beyond: f64) -> Option<DVec2> {
     let [s, t] = [cross(apart, b.direction) / turn, cross(apart, a.direction) / turn];
     let ahead = |t: f64| t > 0.0 && t <= reach;
     (ahead(s) && ahead(t)).then(|| a.from + a.direction * (s + beyond))
-}
-
-fn escaped<'a, 'b>(drawn: &'b Drawn<'a>) -> impl Iterator<Item = &'b (&'a TracedRay, &'a Segment, f64)> {
-    drawn.iter().filter(|(_, segment, _)| segment.ending == Ending::Escaped)
-}
-
-/// The path letters of segments, worked out once a ray.
-#[derive(Default)]
-struct PathOf<'a> {
-    ray: Option<&'a TracedRay>,
-    paths: Vec<String>,
-}
-
-impl<'a> PathOf<'a> {
-    fn path(&mut self, ray: &'a TracedRay, segment: &Segment) -> String {
-        if !self.ray.is_some_and(|known| std::ptr::eq(known, ray)) {
-            self.paths = paths(ray);
-            self.ray = Some(ray);
-        }
-        self.paths.get(segment.id.index()).cloned().unwrap_or_default()
-    }
 }

@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use crate::drawing::{Color, Fill, Path, Rect, Stroke, Text};
+use crate::drawing::{Color, Fill, Lines, Path, Rect, Stroke, Text};
 
 /// A whole figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub struct Drawing {
 pub enum Item {
     /// A path.
     Shape(Shape),
+    /// Very many straight lines of one style.
+    Lines(Lines),
     /// A line of text.
     Text(Text),
     /// Things that belong together.
@@ -121,7 +123,7 @@ impl Drawing {
 fn collect_missing(items: &[Item], found: &mut BTreeSet<char>) {
     for item in items {
         match item {
-            Item::Shape(_) => {}
+            Item::Shape(_) | Item::Lines(_) => {}
             Item::Text(text) => {
                 let glyphs = text.glyphs();
                 found.extend(glyphs.iter().filter(|g| !text.font.has(g.character)).map(|g| g.character));
@@ -134,6 +136,12 @@ fn collect_missing(items: &[Item], found: &mut BTreeSet<char>) {
 impl From<Shape> for Item {
     fn from(shape: Shape) -> Self {
         Self::Shape(shape)
+    }
+}
+
+impl From<Lines> for Item {
+    fn from(lines: Lines) -> Self {
+        Self::Lines(lines)
     }
 }
 

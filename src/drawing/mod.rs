@@ -6,6 +6,7 @@
 mod color;
 mod font;
 mod item;
+mod lines;
 mod number;
 mod path;
 mod style;
@@ -14,7 +15,8 @@ mod text;
 pub use color::Color;
 pub use font::{Font, GlyphStep};
 pub use item::{Drawing, Group, Item, Shape, Whole};
-pub use number::{pixel, shortest};
+pub use lines::Lines;
+pub use number::{hundredths, pixel, shortest};
 pub use path::{Path, PathStep, Rect};
 pub use style::{Cap, Fill, Stroke};
 pub use text::{Anchor, Glyph, Script, Span, Text, words};

@@ -4,7 +4,18 @@ const FAR: f64 = 1e6;
 /// A pixel coordinate fit for output: finite, at most 10⁶ in size, rounded to 1/100, never −0; NaN becomes 0.
 #[must_use]
 pub fn pixel(value: f64) -> f64 {
-    if value.is_nan() { 0.0 } else { (value.clamp(-FAR, FAR) * 100.0).round() / 100.0 + 0.0 }
+    f64::from(hundredths(value)) / 100.0
+}
+
+/// The same as a whole number of hundredths of a pixel.
+#[must_use]
+pub fn hundredths(value: f64) -> i32 {
+    let value = value.clamp(-FAR, FAR) * 100.0;
+    // The largest number below a half: with a half, the one just below it would round up.
+    let half = 0.499_999_999_999_999_94_f64.copysign(value);
+    #[allow(clippy::cast_possible_truncation, reason = "at most 1e8 in size; NaN becomes 0")]
+    let rounded = (value + half) as i32;
+    rounded
 }
 
 /// The shortest decimal form that reads back to the same number; exponents below 10⁻⁵ and from 10¹⁶ on.
@@ -24,6 +35,8 @@ mod tests {
         assert!(pixel(-0.001).is_sign_positive());
         assert_eq!(pixel(f64::NAN), 0.0);
         assert_eq!(pixel(f64::NEG_INFINITY), -FAR);
+        assert_eq!(pixel(0.004_999_999_999_999_999), 0.0);
+        assert_eq!([0.125, -0.125, 2.5, -7.375].map(hundredths), [13, -13, 250, -738], "halves go away from 0");
     }
 
     #[test]

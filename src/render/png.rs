@@ -1,20 +1,19 @@
 //! PNG through tiny-skia. Text is drawn from glyph outlines with the advances that the layout used.
 
 use std::fmt;
+use std::rc::Rc;
 
 use glam::DVec2;
-use kurbo::{Arc, Point, SvgArc, Vec2};
-use tiny_skia::Transform;
-use tiny_skia::{BlendMode, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, StrokeDash};
+use tiny_skia::{BlendMode, FillRule, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, Transform};
 
-use crate::drawing::Whole;
-use crate::drawing::{Cap, Color, Drawing, Glyph, GlyphStep, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text};
+use crate::drawing::{Cap, Color, Drawing, Group, Item, Lines, Path, Rect, Shape, Text, Whole};
+use crate::render::encode::encode;
+use crate::render::mix;
+use crate::render::samples::Samples;
+use crate::render::skia::{draw_glyph, single, skia_path, skia_stroke};
 
 /// A picture of more pixels would need over half a gigabyte.
 const MAX_PIXELS: f64 = 1.5e8;
-
-/// Largest distance of a cubic curve from the arc that it stands for, pixels before scaling.
-const ARC_TOLERANCE: f64 = 0.01;
 
 /// Why a figure could not become a picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +57,7 @@ pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
         canvas.pixels.fill(tiny_skia::Color::from_rgba8(r, g, b, 255));
     }
     canvas.items(&drawing.items, None);
-    canvas.pixels.encode_png().map_err(|error| RenderError::Encode(error.to_string()))
+    encode(&canvas.pixels).map_err(|error| RenderError::Encode(error.to_string()))
 }
 
 struct Canvas {
@@ -66,6 +65,10 @@ struct Canvas {
     transform: Transform,
     /// How a shape is laid on what is there.
     mode: BlendMode,
+    /// Kept from one set of lines to the next.
+    samples: Option<Samples>,
+    /// The last mask that was made, which most layers share.
+    clipped: Option<(Rect, Rc<Mask>)>,
 }
 
 impl Canvas {
@@ -80,17 +83,24 @@ impl Canvas {
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1.5e8, just checked")]
         let pixels = Pixmap::new(width as u32, height as u32).ok_or(refused)?;
-        Ok(Self { pixels, transform: Transform::from_scale(scale, scale), mode: BlendMode::SourceOver })
+        Ok(Self {
+            pixels,
+            transform: Transform::from_scale(scale, scale),
+            mode: BlendMode::SourceOver,
+            samples: None,
+            clipped: None,
+        })
     }
 
     fn items(&mut self, items: &[Item], mask: Option<&Mask>) {
         for item in items {
             match item {
                 Item::Shape(shape) => self.shape(shape, mask),
+                Item::Lines(lines) => self.lines(lines, mask),
                 Item::Text(text) => self.text(text, mask),
                 Item::Group(group) => {
                     let clip = group.clip.and_then(|rect| self.clip(&rect, mask));
-                    let mask = clip.as_ref().or(mask);
+                    let mask = clip.as_deref().or(mask);
                     match group.whole {
                         Some(whole) => self.whole(group, whole, mask),
                         None => self.items(&group.items, mask),
@@ -119,7 +129,16 @@ impl Canvas {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers within the picture")]
         let (at, pixels) = ([min.x as i32, min.y as i32], Pixmap::new(size.x as u32, size.y as u32)?);
         let (x, y) = single(-min);
-        Some((at, Self { pixels, transform: self.transform.post_translate(x, y), mode: BlendMode::SourceOver }))
+        Some((
+            at,
+            Self {
+                pixels,
+                transform: self.transform.post_translate(x, y),
+                mode: BlendMode::SourceOver,
+                samples: None,
+                clipped: None,
+            },
+        ))
     }
 
     fn shape(&mut self, shape: &Shape, mask: Option<&Mask>) {
@@ -134,6 +153,40 @@ impl Canvas {
         }
     }
 
+    fn lines(&mut self, lines: &Lines, mask: Option<&Mask>) {
+        if lines.stroke.dash.is_empty() && lines.stroke.cap == Cap::Round {
+            self.sampled(lines, mask);
+        } else {
+            self.stroked(lines, mask);
+        }
+    }
+
+    /// Lines by their samples, which are a multiple faster than the outlines of strokes.
+    fn sampled(&mut self, lines: &Lines, mask: Option<&Mask>) {
+        let (width, height) = (self.pixels.width(), self.pixels.height());
+        let mut samples = self.samples.take().unwrap_or_else(|| Samples::new(width, height));
+        let Transform { sx, tx, ty, .. } = self.transform;
+        let (scale, move_by) = (f64::from(sx), DVec2::new(f64::from(tx), f64::from(ty)));
+        for [ax, ay, bx, by] in &lines.ends {
+            let [a, b] = [place(*ax, *ay), place(*bx, *by)].map(|p| p * scale + move_by);
+            samples.cover(a, b, 0.5 * lines.stroke.width * scale);
+        }
+        let paint = mix::Paint::new(lines.stroke.color.0, alpha(lines.stroke.opacity), self.mode);
+        let masked = mask.map(Mask::data);
+        let (pixels, _) = self.pixels.data_mut().as_chunks_mut();
+        samples.take(|at, count| paint.lay_on(&mut pixels[at], count, masked.map_or(255, |mask| mask[at])));
+        self.samples = Some(samples);
+    }
+
+    fn stroked(&mut self, lines: &Lines, mask: Option<&Mask>) {
+        let mut path = Path::new();
+        for [ax, ay, bx, by] in &lines.ends {
+            path.move_to(place(*ax, *ay));
+            path.line_to(place(*bx, *by));
+        }
+        self.shape(&Shape::stroked(path, lines.stroke.clone(), ""), mask);
+    }
+
     fn text(&mut self, text: &Text, mask: Option<&Mask>) {
         let mut pen = PathBuilder::new();
         for glyph in text.glyphs() {
@@ -146,98 +199,29 @@ impl Canvas {
 
     fn paint(&self, color: Color, opacity: f64) -> Paint<'static> {
         let Color([r, g, b]) = color;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to a byte's range")]
-        let alpha = (opacity.clamp(0.0, 1.0) * 255.0).round() as u8;
         let mut paint = Paint { anti_alias: true, blend_mode: self.mode, ..Paint::default() };
-        paint.set_color_rgba8(r, g, b, alpha);
+        paint.set_color_rgba8(r, g, b, alpha(opacity));
         paint
     }
 
     /// A mask for a rectangle within what is already masked.
-    fn clip(&self, rect: &Rect, outer: Option<&Mask>) -> Option<Mask> {
+    fn clip(&mut self, rect: &Rect, outer: Option<&Mask>) -> Option<Rc<Mask>> {
+        if let (None, Some((known, mask))) = (outer, &self.clipped)
+            && known == rect
+        {
+            return Some(Rc::clone(mask));
+        }
         let path = skia_path(&Path::rect(*rect))?;
         if let Some(outer) = outer {
             let mut mask = outer.clone();
             mask.intersect_path(&path, FillRule::Winding, true, self.transform);
-            return Some(mask);
+            return Some(Rc::new(mask));
         }
         let mut mask = Mask::new(self.pixels.width(), self.pixels.height())?;
         mask.fill_path(&path, FillRule::Winding, true, self.transform);
+        let mask = Rc::new(mask);
+        self.clipped = Some((*rect, Rc::clone(&mask)));
         Some(mask)
-    }
-}
-
-fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &Glyph) {
-    let place = |p: DVec2| single(glyph.at + p * glyph.size);
-    for step in outline {
-        match *step {
-            GlyphStep::MoveTo(p) => pen.move_to(place(p).0, place(p).1),
-            GlyphStep::LineTo(p) => pen.line_to(place(p).0, place(p).1),
-            GlyphStep::QuadTo(c, p) => {
-                let (c, p) = (place(c), place(p));
-                pen.quad_to(c.0, c.1, p.0, p.1);
-            }
-            GlyphStep::CubicTo(c, d, p) => {
-                let (c, d, p) = (place(c), place(d), place(p));
-                pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
-            }
-            GlyphStep::Close => pen.close(),
-        }
-    }
-}
-
-/// `None` where the path is empty.
-fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
-    let mut pen = PathBuilder::new();
-    let mut last = DVec2::ZERO;
-    for step in path.steps() {
-        match *step {
-            PathStep::MoveTo(p) => {
-                let (x, y) = single(p);
-                pen.move_to(x, y);
-                last = p;
-            }
-            PathStep::LineTo(p) => {
-                let (x, y) = single(p);
-                pen.line_to(x, y);
-                last = p;
-            }
-            PathStep::ArcTo { radius, large, sweep, to } => {
-                draw_arc(&mut pen, last, radius, [large, sweep], to);
-                last = to;
-            }
-            PathStep::Close => pen.close(),
-        }
-    }
-    pen.finish()
-}
-
-fn draw_arc(pen: &mut PathBuilder, from: DVec2, radius: f64, [large_arc, sweep]: [bool; 2], to: DVec2) {
-    let point = |p: DVec2| Point::new(p.x, p.y);
-    let radii = Vec2::new(radius, radius);
-    let arc = SvgArc { from: point(from), to: point(to), radii, x_rotation: 0.0, large_arc, sweep };
-    let Some(arc) = Arc::from_svg_arc(&arc) else {
-        let (x, y) = single(to);
-        return pen.line_to(x, y);
-    };
-    let single = |p: Point| single(DVec2::new(p.x, p.y));
-    arc.to_cubic_beziers(ARC_TOLERANCE, |c, d, p| {
-        let (c, d, p) = (single(c), single(d), single(p));
-        pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
-    });
-}
-
-fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
-    let dash: Vec<f32> = stroke.dash.iter().map(|length| single(DVec2::splat(*length)).0).collect();
-    tiny_skia::Stroke {
-        width: single(DVec2::splat(stroke.width)).0,
-        line_cap: match stroke.cap {
-            Cap::Butt => LineCap::Butt,
-            Cap::Round => LineCap::Round,
-        },
-        line_join: LineJoin::Round,
-        dash: StrokeDash::new(dash, 0.0),
-        ..tiny_skia::Stroke::default()
     }
 }
 
@@ -250,24 +234,36 @@ fn bounds(item: &Item) -> Option<Rect> {
             let rect = Rect { min: point(bounds.left(), bounds.top()), max: point(bounds.right(), bounds.bottom()) };
             Some(rect.grown(shape.stroke.as_ref().map_or(0.0, |stroke| stroke.width)))
         }
+        Item::Lines(lines) => {
+            let points = lines.ends.iter().flat_map(|[ax, ay, bx, by]| [place(*ax, *ay), place(*bx, *by)]);
+            let point = |p: DVec2| Rect { min: p, max: p };
+            points.map(point).reduce(union).map(|rect| rect.grown(lines.stroke.width))
+        }
         Item::Text(text) => Some(text.bounds().grown(text.size)),
         Item::Group(group) => group.items.iter().filter_map(bounds).reduce(union),
     }
+}
+
+/// An opacity of 0 to 1 as a byte.
+pub(super) fn alpha(opacity: f64) -> u8 {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to a byte's range")]
+    let alpha = (opacity.clamp(0.0, 1.0) * 255.0).round() as u8;
+    alpha
+}
+
+/// A point given in hundredths of a pixel.
+fn place(x: i32, y: i32) -> DVec2 {
+    DVec2::new(f64::from(x), f64::from(y)) / 100.0
 }
 
 fn union(a: Rect, b: Rect) -> Rect {
     Rect { min: a.min.min(b.min), max: a.max.max(b.max) }
 }
 
-/// A point in tiny-skia's precision.
-#[allow(clippy::cast_possible_truncation, reason = "pixel coordinates; a float holds a hundredth of a pixel")]
-fn single(p: DVec2) -> (f32, f32) {
-    (p.x as f32, p.y as f32)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::Stroke;
 
     fn drawing(items: Vec<Item>) -> Drawing {
         let background = Some(Color::hex(0xff_ff_ff));

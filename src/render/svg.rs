@@ -5,8 +5,14 @@
 
 use std::fmt::Write;
 
-use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Path, PathStep, Rect, Shape, Stroke, Text, Whole};
-use crate::drawing::{pixel, shortest};
+use glam::DVec2;
+
+use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Lines, Path, PathStep, Rect, Shape, Stroke, Text};
+use crate::drawing::{Whole, hundredths, pixel, shortest};
+use crate::render::decimal::{push_line, push_point};
+
+/// Bytes of a line among very many, such as `M123.45 67.89L234.5 78`.
+const USUAL_LINE: usize = 28;
 
 /// The figure as an SVG document; the same figure gives the same bytes.
 #[must_use]
@@ -33,6 +39,7 @@ pub fn svg(drawing: &Drawing) -> String {
 fn write_item(out: &mut String, item: &Item, screened: bool) {
     match item {
         Item::Shape(shape) => write_shape(out, shape, screened),
+        Item::Lines(lines) => write_lines(out, lines, screened),
         Item::Text(text) => write_text(out, text),
         Item::Group(group) => write_group(out, group),
     }
@@ -62,11 +69,29 @@ fn write_shape(out: &mut String, shape: &Shape, screened: bool) {
     }
     out.push_str("<path");
     attributes(out, &shape.class, &shape.data);
-    push(out, format_args!(" d=\"{}\"", path_data(&shape.path)));
+    out.push_str(" d=\"");
+    write_path(out, &shape.path);
+    out.push('"');
     write_fill(out, shape.fill);
     if let Some(stroke) = &shape.stroke {
         write_stroke(out, stroke);
     }
+    end_path(out, screened);
+}
+
+fn write_lines(out: &mut String, lines: &Lines, screened: bool) {
+    out.push_str("<path");
+    attributes(out, &lines.class, &[]);
+    out.push_str(" d=\"");
+    out.reserve(lines.ends.len() * USUAL_LINE);
+    lines.ends.iter().for_each(|line| push_line(out, *line));
+    out.push('"');
+    write_fill(out, None);
+    write_stroke(out, &lines.stroke);
+    end_path(out, screened);
+}
+
+fn end_path(out: &mut String, screened: bool) {
     if screened {
         out.push_str(" style=\"mix-blend-mode:screen\"");
     }
@@ -99,20 +124,19 @@ fn write_stroke(out: &mut String, stroke: &Stroke) {
     out.push_str(" stroke-linejoin=\"round\"");
 }
 
-fn path_data(path: &Path) -> String {
-    let mut data = String::new();
+fn write_path(out: &mut String, path: &Path) {
+    let whole = |p: DVec2| [p.x, p.y].map(hundredths);
     for step in path.steps() {
         match *step {
-            PathStep::MoveTo(p) => push(&mut data, format_args!("M{} {}", p.x, p.y)),
-            PathStep::LineTo(p) => push(&mut data, format_args!("L{} {}", p.x, p.y)),
+            PathStep::MoveTo(p) => push_point(out, b'M', whole(p)),
+            PathStep::LineTo(p) => push_point(out, b'L', whole(p)),
             PathStep::ArcTo { radius: r, large, sweep, to } => {
                 let (large, sweep) = (u8::from(large), u8::from(sweep));
-                push(&mut data, format_args!("A{r} {r} 0 {large} {sweep} {} {}", to.x, to.y));
+                push(out, format_args!("A{r} {r} 0 {large} {sweep} {} {}", to.x, to.y));
             }
-            PathStep::Close => data.push('Z'),
+            PathStep::Close => out.push('Z'),
         }
     }
-    data
 }
 
 fn write_text(out: &mut String, text: &Text) {
@@ -255,7 +279,9 @@ mod tests {
     #[test]
     fn arcs_stay_arcs() {
         let path = Path::circle(DVec2::new(10.0, 10.0), 4.0);
-        assert_eq!(path_data(&path), "M6 10A4 4 0 0 1 14 10A4 4 0 0 1 6 10Z");
+        let mut data = String::new();
+        write_path(&mut data, &path);
+        assert_eq!(data, "M6 10A4 4 0 0 1 14 10A4 4 0 0 1 6 10Z");
     }
 
     #[test]

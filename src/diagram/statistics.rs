@@ -1,0 +1,41 @@
+use crate::drawing::Item;
+
+/// Layers of marks that explain the rays.
+const MARKS: [&str; 4] = ["normals", "extensions", "arrows", "labels"];
+
+/// What a figure shows and what it could spare.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Segments that are drawn; spectral lines that coincide count each.
+    pub segments_drawn: usize,
+    /// Segments that were dropped because nothing of them is in the view.
+    pub segments_outside_view: usize,
+    /// Segments that were dropped because they carry less of their source ray than the figure shows.
+    pub segments_below_faintest: usize,
+    /// Normals, extensions, arrowheads and labels.
+    pub marks_drawn: usize,
+    /// Whether the figure has words.
+    pub font_used: bool,
+}
+
+impl Statistics {
+    /// Counts the marks of a figure's layers and looks for words.
+    pub(super) fn count(&mut self, layers: &[Item]) {
+        for layer in layers {
+            if let Item::Group(group) = layer
+                && MARKS.contains(&group.class.as_str())
+            {
+                self.marks_drawn += group.items.len();
+            }
+        }
+        self.font_used = layers.iter().any(has_words);
+    }
+}
+
+fn has_words(item: &Item) -> bool {
+    match item {
+        Item::Shape(_) | Item::Lines(_) => false,
+        Item::Text(_) => true,
+        Item::Group(group) => group.items.iter().any(has_words),
+    }
+}

@@ -1,0 +1,110 @@
+use std::collections::BTreeSet;
+
+use crate::diagram::blend::Blend;
+use crate::diagram::branches::Branch;
+use crate::diagram::palette::Palette;
+use crate::drawing::{Color, Stroke};
+use crate::scene::{RayColor, Scene, Theme};
+use crate::trace::RayTree;
+
+/// No ray is fainter, so that a share of 1 % is still seen on a projector.
+const FAINTEST: f64 = 0.22;
+/// More source rays than this are drawn thinner.
+const UNCROWDED: f64 = 14.0;
+/// More spectral lines than this are drawn thinner, so that a spectrum shows its colors.
+const THICK_LINES: f64 = 1.5;
+/// Dashes that tell up to six lines apart without color.
+const PRINT_DASHES: [&[f64]; 6] = [&[], &[9.0, 3.0], &[3.0, 3.0], &[9.0, 3.0, 2.0, 3.0], &[14.0, 4.0], &[1.5, 2.5]];
+
+/// A branch as it looks where all lines of its fan run together.
+pub(super) fn together<'a>(branch: &Branch<'a>) -> Branch<'a> {
+    Branch { blend: branch.fan.map(|fan| fan.blend).or(branch.blend), fan: None, ..*branch }
+}
+
+/// How strong a branch looks, 0 to 1: the power's share to 3/8, so that 1 % still differs from nothing.
+pub(super) fn strength(share: f64) -> f64 {
+    let quarter = share.sqrt().sqrt();
+    quarter * quarter.sqrt()
+}
+
+/// Opacity of a branch of a given strength.
+pub(super) fn opacity(strength: f64) -> f64 {
+    strength.clamp(FAINTEST, 1.0)
+}
+
+/// How rays are drawn in this figure.
+pub(super) struct Styles<'a> {
+    scene: &'a Scene,
+    palette: Palette,
+    /// Bits of every wavelength in nanometers; for numbers above 0 their order is the numbers'.
+    lines: BTreeSet<u64>,
+    /// Factor on all widths.
+    crowding: f64,
+}
+
+impl<'a> Styles<'a> {
+    pub(super) fn new(scene: &'a Scene, palette: Palette, tree: &RayTree) -> Self {
+        let rays = &tree.rays;
+        let lines: BTreeSet<u64> = rays.iter().map(|ray| ray.wavelength.nanometers().to_bits()).collect();
+        let strong = rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)).count();
+        Self { scene, palette, lines, crowding: (UNCROWDED / number(strong)).sqrt().clamp(0.45, 1.0) }
+    }
+
+    /// The line of a branch whose strength was rounded to `strength`.
+    pub(super) fn stroke(&self, branch: &Branch<'_>, strength: f64) -> Stroke {
+        let alone = branch.blend.is_some() && branch.fan.is_none();
+        let fanning = if alone { 1.0 } else { (THICK_LINES / number(branch.lines)).sqrt().clamp(0.45, 1.0) };
+        let width = (0.8 + 1.6 * strength) * (self.crowding * fanning).max(0.4);
+        let stroke = Stroke::solid(self.color(branch), width).faded(opacity(strength));
+        match PRINT_DASHES[self.dash(branch)] {
+            [] => stroke,
+            dash => stroke.dashed(dash),
+        }
+    }
+
+    pub(super) fn color(&self, branch: &Branch<'_>) -> Color {
+        let palette = &self.palette;
+        let wavelength = branch.ray.wavelength;
+        let own = self.scene.sources.get(branch.ray.source).and_then(|source| source.color);
+        match (own, self.scene.diagram.color, branch.blend) {
+            (Some(own), ..) => Color(own),
+            (None, RayColor::Power, _) => palette.power(branch.share),
+            (None, RayColor::Via, _) => palette.via(branch.segment.via),
+            (None, RayColor::Auto | RayColor::Wavelength, Some(blend)) => palette.blend(blend),
+            (None, RayColor::Auto, None) if self.lines.len() < 2 => palette.ray,
+            (None, RayColor::Auto | RayColor::Wavelength, None) => palette.wavelength(wavelength),
+        }
+    }
+
+    /// Color of a branch and all lines that run with it.
+    pub(super) fn together(&self, branch: &Branch<'_>) -> Color {
+        self.color(&together(branch))
+    }
+
+    /// Whether a branch is one of several spectral lines, each in its own color.
+    pub(super) fn spectral(&self, branch: &Branch<'_>) -> bool {
+        let own = self.scene.sources.get(branch.ray.source).is_some_and(|source| source.color.is_some());
+        let by_wavelength = matches!(self.scene.diagram.color, RayColor::Auto | RayColor::Wavelength);
+        branch.fan.is_some() && by_wavelength && !own
+    }
+
+    /// Whether colors add up where they overlap, as light does on a dark ground. On a light one adding would end in the
+    /// ground's own white: there lines cover each other, and ink covers them where they run together.
+    pub(super) fn add_up(&self) -> bool {
+        self.scene.diagram.theme == Theme::Dark
+    }
+
+    /// Which dashes a branch has: solid, but for a few lines in print, where dashes stand for colors.
+    pub(super) fn dash(&self, branch: &Branch<'_>) -> usize {
+        let few = (2..=PRINT_DASHES.len()).contains(&self.lines.len());
+        if !few || branch.blend == Some(Blend::Whole) || self.scene.diagram.theme != Theme::Print {
+            return 0;
+        }
+        let bits = branch.ray.wavelength.nanometers().to_bits();
+        self.lines.iter().position(|line| *line == bits).unwrap_or(0)
+    }
+}
+
+fn number(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::INFINITY, f64::from)
+}
