@@ -4,8 +4,9 @@
 use glam::DVec2;
 use snellius::OpticalSystem;
 use snellius::geometry::Curve;
-use snellius::laws::{Refraction, fresnel, reflect, refract};
+use snellius::laws::{Refraction, fresnel, optical_path_length, reflect, refract};
 use snellius::light::Power;
+use snellius::numerics::Sum;
 
 /// No edge.
 pub(crate) const NONE: usize = usize::MAX;
@@ -27,19 +28,22 @@ pub(crate) struct Flat {
     pub(crate) max_depth: u32,
 }
 
-/// What became of the light.
+/// What became of the light, summed up as a trace without a tree sums it.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Light {
     pub(crate) followed: u64,
     pub(crate) cut: u64,
-    escaped: f64,
-    unaccounted: f64,
+    escaped: Sum,
+    unaccounted: Sum,
 }
 
+/// A branch with all that a trace without a tree carries along.
 struct Branch {
+    id: u32,
     from: DVec2,
     direction: DVec2,
     power: Power,
+    optical_path: f64,
     last: usize,
     hits: u32,
 }
@@ -69,17 +73,20 @@ impl Flat {
         let mut waiting = Vec::new();
         for &(from, direction, power) in self.starts.iter().take(rays) {
             let least = self.min_power * power.total();
-            waiting.push(Branch { from, direction, power, last: NONE, hits: 0 });
-            while let Some(branch) = waiting.pop() {
+            let mut next = 0;
+            waiting.push(Branch { id: 0, from, direction, power, optical_path: 0.0, last: NONE, hits: 0 });
+            while let Some(mut branch) = waiting.pop() {
+                branch.id = next;
+                next += 1;
                 if branch.hits >= self.max_depth || branch.power.total() < least {
                     light.cut += 1;
-                    light.unaccounted += branch.power.total();
+                    light.unaccounted.add(branch.power.total());
                     continue;
                 }
                 light.followed += 1;
                 match nearest(branch.from, branch.direction, branch.last) {
                     Some((k, distance)) => self.hit(&branch, k, distance, &mut waiting),
-                    None => light.escaped += branch.power.total(),
+                    None => light.escaped.add(branch.power.total()),
                 }
             }
         }
@@ -94,9 +101,11 @@ impl Flat {
         let [n_left, n_right] = self.indices[last];
         let from_left = left.dot(direction) < 0.0;
         let (n, n_i, n_t) = if from_left { (left, n_left, n_right) } else { (-left, n_right, n_left) };
+        let optical_path = branch.optical_path + optical_path_length(n_i, branch.from.distance(from));
         let mut send = |direction, power: Power| {
             if power.total() > 0.0 {
-                waiting.push(Branch { from, direction, power, last, hits: branch.hits + 1 });
+                let (id, hits) = (branch.id, branch.hits + 1);
+                waiting.push(Branch { id, from, direction, power, optical_path, last, hits });
             }
         };
         let reflected = reflect(direction, n);
@@ -114,6 +123,6 @@ impl Flat {
 impl Light {
     /// All power that was sent out.
     pub(crate) fn total(&self) -> f64 {
-        self.escaped + self.unaccounted
+        self.escaped.value() + self.unaccounted.value()
     }
 }

@@ -90,16 +90,19 @@ impl BoxTree {
         let Some(line) = self.line(from, direction, begin) else { return 0 };
         let (mut end, mut looked_at) = (f32::INFINITY, 0);
         waiting.clear();
-        waiting.push((0.0, 0));
-        while let Some((entry, content)) = waiting.pop() {
-            if entry > end || content == NONE {
-                continue;
-            }
-            if content & ITEM != 0 {
-                end = line.until(visit((content & !ITEM) as usize));
-            } else if let Some(node) = self.nodes.get(content as usize) {
+        let mut next = Some(0);
+        while let Some(content) = next {
+            next = None;
+            if content & ITEM == 0 {
                 looked_at += 1;
-                node.push_met(&line, end, waiting);
+                next = self.nodes[content as usize].nearest_met(&line, end, waiting);
+            } else if content != NONE {
+                end = line.until(visit((content & !ITEM) as usize));
+            }
+            while next.is_none()
+                && let Some((entry, content)) = waiting.pop()
+            {
+                next = (entry <= end).then_some(content);
             }
         }
         looked_at
@@ -108,6 +111,9 @@ impl BoxTree {
     /// A line in the tree's units from where it enters the tree; `None` if it misses it.
     fn line(&self, from: DVec2, direction: DVec2, begin: f64) -> Option<Line> {
         let pad = f64::from(PAD) / self.scale;
+        if begin == 0.0 && self.bounds.contains(from) {
+            return Some(self.line_from(from, direction, 0.0));
+        }
         let [x, y] = [0, 1].map(|axis| {
             let (o, d) = (from[axis], no_zero(direction[axis]));
             let t = [self.bounds.min[axis] - pad, self.bounds.max[axis] + pad].map(|edge| (edge - o) / d);
@@ -120,12 +126,16 @@ impl BoxTree {
             let everywhere = Line { origin: [0.0; 2], inverse: [0.0; 2], entry: f64::NEG_INFINITY, scale: self.scale };
             return Some(everywhere);
         }
-        (entry <= exit).then(|| Line {
+        (entry <= exit).then(|| self.line_from(from, direction, entry))
+    }
+
+    fn line_from(&self, from: DVec2, direction: DVec2, entry: f64) -> Line {
+        Line {
             origin: self.local(from + entry * direction),
             inverse: [0, 1].map(|axis| inverse(direction[axis])),
             entry,
             scale: self.scale,
-        })
+        }
     }
 
     /// Makes the node over `items` and all below it; returns its place.
@@ -173,8 +183,9 @@ impl Node {
         self.content[slot] = content;
     }
 
-    /// Puts what the line meets before `end` on the list, the nearest last.
-    fn push_met(&self, line: &Line, end: f32, waiting: &mut Waiting) {
+    /// What the line meets first, before `end`; what else it meets goes on the list, the nearest last.
+    #[inline]
+    fn nearest_met(&self, line: &Line, end: f32, waiting: &mut Waiting) -> Option<u32> {
         let [x, y] = [0, 1].map(|axis| {
             let t = |edges: Vec4| (edges - line.origin[axis]) * line.inverse[axis];
             let (first, last) = (t(self.min[axis]), t(self.max[axis]));
@@ -183,17 +194,25 @@ impl Node {
         let (entry, exit) = (x.0.max(y.0).max(Vec4::ZERO), x.1.min(y.1).min(Vec4::splat(end)));
         let mut met = entry.cmple(exit).bitmask();
         let entry = entry.to_array();
-        let first = waiting.len();
-        while met != 0 {
+        let mut take = || {
             let slot = met.trailing_zeros() as usize;
-            met &= met - 1;
-            let mut place = waiting.len();
-            waiting.push((entry[slot], self.content[slot]));
+            met &= met.wrapping_sub(1);
+            (slot < 4).then(|| (entry[slot], self.content[slot]))
+        };
+        let mut nearest = take()?;
+        let first = waiting.len();
+        while let Some(mut other) = take() {
+            if other.0 < nearest.0 {
+                std::mem::swap(&mut other, &mut nearest);
+            }
+            waiting.push(other);
+            let mut place = waiting.len() - 1;
             while place > first && waiting[place - 1].0 < waiting[place].0 {
                 waiting.swap(place - 1, place);
                 place -= 1;
             }
         }
+        Some(nearest.1)
     }
 }
 

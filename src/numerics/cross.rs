@@ -59,7 +59,7 @@ pub fn cross_parts(a: DVec2, b: DVec2) -> (f64, f64) {
 
 /// The sum of two numbers rounded, and what rounding took from it, exactly.
 #[inline]
-fn sum_parts(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn sum_parts(a: f64, b: f64) -> (f64, f64) {
     let total = a + b;
     let part = total - a;
     (total, (a - (total - part)) + (b - part))

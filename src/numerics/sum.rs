@@ -1,5 +1,7 @@
 //! A sum that closes.
 
+use crate::numerics::cross::sum_parts;
+
 /// A running sum whose error does not grow with the number of terms.
 ///
 /// # Source
@@ -12,10 +14,10 @@ pub struct Sum {
 
 impl Sum {
     /// Adds one term.
+    #[inline]
     pub fn add(&mut self, term: f64) {
-        let total = self.total + term;
-        self.lost +=
-            if self.total.abs() >= term.abs() { (self.total - total) + term } else { (term - total) + self.total };
+        let (total, lost) = sum_parts(self.total, term);
+        self.lost += lost;
         self.total = total;
     }
 

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::light::Wavelength;
 use crate::system::OpticalSystem;
 use crate::trace::summary::RaySummary;
-use crate::trace::tracer::Tracer;
+use crate::trace::tracer::{Leg, Tracer};
 use crate::trace::{Segment, TracedRay, Visitor, Work};
 
 /// One ray at one line, followed: its branches if they were asked for, and what became of its light.
@@ -30,7 +30,7 @@ pub(crate) fn visit_with<'a>(mut tracer: Tracer<'a>, plan: &'a Plan<'a>, visitor
         for (line, wavelength) in placed.lines.iter().enumerate() {
             let traced = plan.ray(source, ray, line);
             let indices = plan.indices(*wavelength);
-            let visit = |segment: &Segment| visitor.segment(&traced, *segment);
+            let visit = |leg: &Leg| visitor.segment(&traced, leg.segment());
             left -= tracer.follow(&placed.starts[ray], placed.power, indices, left, visit).followed;
         }
     }
@@ -179,10 +179,10 @@ impl<'a> Worker<'a> {
         let (mut summary, mut told) = (RaySummary::default(), 0);
         let Self { tracer, keeps_tree, segments, progress, .. } = self;
         segments.clear();
-        let work = tracer.follow(&placed.starts[number], placed.power, indices, most, |segment| {
-            summary.count(&ray, segment);
+        let work = tracer.follow(&placed.starts[number], placed.power, indices, most, |leg| {
+            summary.count(&ray, leg.id, leg.ending, leg.power(), leg.hit());
             if *keeps_tree {
-                segments.push(*segment);
+                segments.push(leg.segment());
             }
             if summary.segments - told == ALONE {
                 told = summary.segments;

@@ -37,6 +37,7 @@ pub(crate) struct Outcome {
 }
 
 impl Arrival<'_> {
+    #[inline]
     pub(crate) fn outcome(&self, secondary_rays: SecondaryRays) -> Outcome {
         match self.interface.action {
             Action::Refract => self.refract(|refracted| shares(secondary_rays, refracted)),
@@ -53,6 +54,7 @@ impl Arrival<'_> {
 
     /// A boundary that refracts: `share` gives the reflected and the transmitted fraction, for the refracted light or
     /// past the critical angle.
+    #[inline]
     fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
         let hit = |shares| Hit { n_t: Some(self.n_t), ..self.hit(shares) };
         let reflected = reflect_at(&self.incidence, self.normal);
@@ -106,6 +108,7 @@ impl Arrival<'_> {
     }
 
     /// The hit with its shares, but without what only some interfaces have.
+    #[inline]
     fn hit(&self, shares: Shares) -> Hit {
         let Incidence { cos: cos_i, sin: sin_i, .. } = self.incidence;
         Hit {
@@ -137,6 +140,7 @@ struct Refracted {
 }
 
 /// The shares on the face between two media.
+#[inline]
 fn shares(secondary_rays: SecondaryRays, refracted: Option<&Refracted>) -> Shares {
     match (secondary_rays, refracted) {
         // Past the critical angle everything is reflected.

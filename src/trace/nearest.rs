@@ -83,20 +83,20 @@ impl<'a> Search<'a> {
         if self.skips_nothing {
             return nearest_of_all(&probe);
         }
-        let mut crossings = std::mem::take(&mut self.crossings);
-        crossings.clear();
-        let (mut reach, mut in_doubt) = (f64::INFINITY, false);
-        let cell = self.system.cells.around(ray.start);
+        let (mut first, mut reach, mut in_doubt) = (None, f64::INFINITY, false);
+        let mut others = std::mem::take(&mut self.crossings);
+        others.clear();
         let mut look = |place| {
             passages(&probe, place, |passage| {
                 in_doubt |= passage.is_in_doubt;
                 if passage.is_way_out() && passage.crossing.distance <= reach {
                     reach = reach.min(passage.reach);
-                    crossings.push(passage.crossing);
+                    others.extend(first.replace(passage.crossing));
                 }
             });
             reach
         };
+        let cell = self.system.cells.around(ray.start);
         match cell {
             Some(cell) => {
                 for &place in cell {
@@ -105,9 +105,14 @@ impl<'a> Search<'a> {
             }
             None => self.candidates(ray, 0.0, look),
         }
-        let leaks = crossings.is_empty() && (cell.is_some() || ray.medium != self.system.surroundings);
-        let first = if in_doubt || leaks { self.by_count(&probe) } else { first(&probe, &mut crossings, reach) };
-        self.crossings = crossings;
+        let leaks = first.is_none() && (cell.is_some() || ray.medium != self.system.surroundings);
+        if in_doubt || leaks {
+            first = self.by_count(&probe);
+        } else if !others.is_empty() {
+            others.extend(first);
+            first = first_of(&probe, &mut others, reach);
+        }
+        self.crossings = others;
         first.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
     }
 
@@ -124,6 +129,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first way out, once as many crossings have changed sides of the start as the count of those behind it misses.
+    #[cold]
     fn by_count(&mut self, probe: &Probe) -> Option<Crossing> {
         let mut all = Vec::new();
         self.candidates(probe.ray, f64::NEG_INFINITY, |place| {
@@ -165,14 +171,11 @@ pub(crate) fn first_by_count(probe: &Probe, mut passages: Vec<Passage>) -> Optio
     }
     passages.retain(Passage::is_way_out);
     let reach = passages.iter().map(|passage| passage.reach).fold(f64::INFINITY, f64::min);
-    first(probe, &mut passages.into_iter().map(|passage| passage.crossing).collect(), reach)
+    first_of(probe, &mut passages.into_iter().map(|passage| passage.crossing).collect(), reach)
 }
 
 /// The crossing that the ray passes first. None that is farther than `reach` can be it.
-fn first(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<Crossing> {
-    if let [only] = crossings[..] {
-        return Some(only);
-    }
+fn first_of(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<Crossing> {
     crossings.retain(|crossing| crossing.distance <= reach);
     crossings.sort_by_key(|crossing| crossing.interface);
     let key = |crossing: &Crossing| (crossing.interface, crossing.distance);
@@ -183,10 +186,15 @@ fn first(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<Cro
 #[inline]
 pub(crate) fn passages(probe: &Probe, place: usize, mut visit: impl FnMut(Passage)) {
     let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
-    if interface.left != medium && interface.right != medium {
+    let is_boundary = || interface.left == medium || interface.right == medium;
+    // An edge that is not met is no boundary to look at.
+    if !interface.curve.is_straight() && !is_boundary() {
         return;
     }
     probe.crossings(place, interface, |Met { distance, slack, from_left, is_ahead, is_in_doubt }| {
+        if !is_boundary() {
+            return;
+        }
         let from = if from_left { interface.left } else { interface.right };
         let entry = match (interface.left == interface.right, from == medium) {
             (true, _) => 0,

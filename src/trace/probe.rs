@@ -12,6 +12,9 @@ use crate::system::{Interface, OpticalSystem, Start, VertexId};
 use crate::trace::Ray;
 use crate::trace::corner::{corner, opens_to};
 
+/// Edges that are met at an angle with a smaller sine are met with care.
+const GRAZING: f64 = 1.0 / 1024.0;
+
 /// A crossing of the ray's whole line.
 #[derive(Clone, Copy)]
 pub(crate) struct Met {
@@ -68,20 +71,11 @@ impl<'a> Probe<'a> {
 
     /// Visits where the line crosses the interface at place `index`.
     #[inline]
-    pub(crate) fn crossings(&self, index: usize, candidate: &Interface, mut visit: impl FnMut(Met)) {
-        let special = match self.ray.start {
-            Start::On { interface, left } if interface == index => Some(self.again(candidate, left)),
-            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => Some(self.off_vertex(candidate, vertex)),
-            _ => None,
-        };
-        match special {
-            Some(met) => met.into_iter().for_each(visit),
-            None if candidate.curve.is_straight() => {
-                if let Some(met) = self.edge(candidate) {
-                    visit(met);
-                }
-            }
-            None => self.arc(candidate).into_iter().flatten().for_each(visit),
+    pub(crate) fn crossings(&self, index: usize, candidate: &Interface, visit: impl FnMut(Met)) {
+        if candidate.curve.is_straight() {
+            self.edge(index, candidate).into_iter().for_each(visit);
+        } else {
+            self.arc(index, candidate).into_iter().flatten().for_each(visit);
         }
     }
 
@@ -156,25 +150,50 @@ impl<'a> Probe<'a> {
         (a_left != b_left).then_some(b_left)
     }
 
+    /// The crossing of an edge: not of one that the ray stands on.
     #[inline]
-    fn edge(&self, candidate: &Interface) -> Option<Met> {
-        let from_left = self.passes_from_left(candidate)?;
+    fn edge(&self, index: usize, candidate: &Interface) -> Option<Met> {
+        let Ray { from, direction, start, .. } = *self.ray;
         let Curve { a, b, m, n, .. } = candidate.curve;
-        let [a, b] = [a, b].map(|p| (p - self.ray.from).dot(self.ray.direction));
-        let (begin, end) = if a < b { (a, b) } else { (b, a) };
-        let (across, apart) = (n.dot(self.ray.direction), n.dot(m - self.ray.from));
+        let [a_side, b_side] = [a, b].map(|p| direction.perp_dot(p - from));
+        let is_sure = a_side.abs() > self.near && b_side.abs() > self.near;
+        if is_sure && (a_side > 0.0) == (b_side > 0.0) {
+            return None;
+        }
+        let stands_on_it = match start {
+            Start::Free => false,
+            Start::On { interface, .. } => interface == index,
+            Start::AtVertex(vertex) => candidate.ends.contains(&vertex),
+        };
+        if stands_on_it {
+            return None;
+        }
+        let (across, apart) = (n.dot(direction), n.dot(m - from));
+        if !is_sure || across.abs() < GRAZING || apart.abs() <= self.near {
+            return self.edge_with_care(candidate, across, apart);
+        }
+        let from_left = b_side > 0.0;
+        // Ahead if the ray starts on the side that it comes from.
+        let is_ahead = (apart < 0.0) == from_left;
+        Some(Met { distance: apart / across, slack: self.near / GRAZING, from_left, is_ahead, is_in_doubt: false })
+    }
+
+    /// The crossing of an edge that is met at a small angle, or touched at an end, or on whose line the ray starts.
+    #[cold]
+    fn edge_with_care(&self, candidate: &Interface, across: f64, apart: f64) -> Option<Met> {
+        let from_left = self.passes_from_left(candidate)?;
+        let [a, b] = [candidate.curve.a, candidate.curve.b].map(|p| (p - self.ray.from).dot(self.ray.direction));
+        let (begin, end) = (a.min(b), a.max(b));
         // An edge along the ray, up to rounding, is met at once.
         let is_along = across.abs() * (end - begin) <= self.near;
         let distance = if is_along { 0.0 } else { apart / across }.max(begin).min(end);
         let slack = if is_along { end - begin } else { self.near / across.abs() };
-        // Ahead if the ray starts on the side that it comes from.
         let is_ahead = (apart < 0.0) == from_left;
         let met = Met { distance, slack, from_left, is_ahead, is_in_doubt: false };
         Some(if apart.abs() > self.near { met } else { self.edge_at_start(candidate, met, begin, end) })
     }
 
     /// A crossing of an edge on whose line the ray starts up to rounding; the edge lies between two distances along the ray.
-    #[cold]
     fn edge_at_start(&self, candidate: &Interface, met: Met, begin: f64, end: f64) -> Met {
         let is_ahead = if self.touches_last(candidate) {
             self.is_ahead(candidate, met.distance)
@@ -187,7 +206,14 @@ impl<'a> Probe<'a> {
         Met { is_ahead, is_in_doubt: begin <= self.near && end >= -self.near, ..met }
     }
 
-    fn arc(&self, candidate: &Interface) -> [Option<Met>; 2] {
+    fn arc(&self, index: usize, candidate: &Interface) -> [Option<Met>; 2] {
+        match self.ray.start {
+            Start::On { interface, left } if interface == index => return [self.again(candidate, left), None],
+            Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => {
+                return [self.off_vertex(candidate, vertex), None];
+            }
+            _ => {}
+        }
         if let Some((last, heads_left)) = self.last.filter(|(last, _)| last.curve.same_circle(&candidate.curve)) {
             let passes = self.passes_from_left(candidate).is_some();
             return [passes.then(|| self.across(&last.curve, heads_left)).flatten(), None];
@@ -239,7 +265,7 @@ impl<'a> Probe<'a> {
     /// The arc that the ray stands on, met again: where its line does not pass between the ends, both of its points are
     /// the arc's.
     fn again(&self, last: &Interface, heads_left: bool) -> Option<Met> {
-        let both_on_arc = !last.curve.is_straight() && self.passes_from_left(last).is_none();
+        let both_on_arc = self.passes_from_left(last).is_none();
         both_on_arc.then(|| self.across(&last.curve, heads_left)).flatten()
     }
 

@@ -1,7 +1,7 @@
 use crate::light::Wavelength;
 use crate::numerics::Sum;
 use crate::system::OpticalSystem;
-use crate::trace::{Ending, Segment, SegmentId, TracedRay, Visitor, Work};
+use crate::trace::{Ending, Hit, Segment, SegmentId, TracedRay, Visitor, Work};
 
 /// What became of all the light: counts, powers and screens, without the tree.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,7 +75,7 @@ pub struct ScreenHit {
 impl Visitor for Summary {
     fn segment(&mut self, ray: &TracedRay, segment: Segment) {
         let mut one = RaySummary::default();
-        one.count(ray, &segment);
+        one.count(ray, segment.id, segment.ending, segment.power.total(), segment.hit.as_ref());
         self.rays += u64::from(segment.parent.is_none());
         self.add(one);
     }
@@ -127,30 +127,33 @@ impl Summary {
 }
 
 impl RaySummary {
-    pub(crate) fn count(&mut self, ray: &TracedRay, segment: &Segment) {
+    /// Counts a segment: its place in its ray, how it ended, the power it carried, and what it met.
+    #[inline]
+    pub(crate) fn count(&mut self, ray: &TracedRay, id: SegmentId, ending: Ending, power: f64, hit: Option<&Hit>) {
         self.segments += 1;
-        let power = segment.power.total();
-        if segment.parent.is_none() {
+        if id.0 == 0 {
             self.balance.emitted.add(power);
         }
-        match segment.ending {
+        match ending {
             Ending::Escaped => self.balance.escaped.add(power),
             Ending::CutMinPower => self.balance.cut_min_power.add(power),
             Ending::CutMaxDepth => self.balance.cut_max_depth.add(power),
             Ending::CutMaxSegments => self.balance.cut_max_segments.add(power),
-            Ending::Detected => self.detect(ray, segment, power),
+            Ending::Detected => self.detect(ray, id, power, hit),
             Ending::Absorbed => self.balance.absorbed.add(power),
             Ending::Interface => {
-                self.balance.absorbed.add(power * segment.hit.map_or(0.0, |hit| hit.absorptance));
+                if let Some(share) = hit.map(|hit| hit.absorptance).filter(|share| *share != 0.0) {
+                    self.balance.absorbed.add(power * share);
+                }
             }
         }
     }
 
-    fn detect(&mut self, ray: &TracedRay, segment: &Segment, power: f64) {
+    fn detect(&mut self, ray: &TracedRay, segment: SegmentId, power: f64, hit: Option<&Hit>) {
         self.balance.detected.add(power);
-        let Some(hit) = segment.hit else { return };
+        let Some(hit) = hit else { return };
         let &TracedRay { source, ray, wavelength, .. } = ray;
         let position = hit.position.unwrap_or(0.0);
-        self.landed.push((hit.body, ScreenHit { source, ray, wavelength, segment: segment.id, position, power }));
+        self.landed.push((hit.body, ScreenHit { source, ray, wavelength, segment, position, power }));
     }
 }

@@ -9,7 +9,7 @@ use crate::scene::{SecondaryRays, TraceSettings};
 use crate::system::{Action, MediumId, OpticalSystem, RayStart, Start};
 use crate::trace::hit::{Arrival, Outcome, Secondary};
 use crate::trace::nearest::beyond;
-use crate::trace::{Crossing, Ending, Ray, Search, Segment, SegmentId, Via, Work};
+use crate::trace::{Crossing, Ending, Hit, Ray, Search, Segment, SegmentId, Via, Work};
 
 /// A branch that waits to be followed; positions relative to the system's origin.
 struct Branch {
@@ -19,6 +19,55 @@ struct Branch {
     power: Power,
     optical_path: f64,
     hits_behind: u32,
+}
+
+/// A branch that was followed or cut, on its way to whoever wants to know.
+pub(crate) struct Leg<'a> {
+    pub(crate) id: SegmentId,
+    branch: &'a Branch,
+    origin: DVec2,
+    medium_index: f64,
+    pub(crate) ending: Ending,
+    arrived: Option<Arrived>,
+}
+
+/// Where a branch met an interface, and what happened there.
+struct Arrived {
+    at: DVec2,
+    optical_path: f64,
+    hit: Hit,
+}
+
+impl Leg<'_> {
+    pub(crate) fn power(&self) -> f64 {
+        self.branch.power.total()
+    }
+
+    pub(crate) fn hit(&self) -> Option<&Hit> {
+        self.arrived.as_ref().map(|arrived| &arrived.hit)
+    }
+
+    #[inline]
+    pub(crate) fn segment(&self) -> Segment {
+        let Branch { parent, via, ray, power, optical_path, .. } = self.branch;
+        let (to, optical_path, hit) = match &self.arrived {
+            Some(arrived) => (Some(arrived.at + self.origin), arrived.optical_path, Some(arrived.hit)),
+            None => (None, *optical_path, None),
+        };
+        Segment {
+            id: self.id,
+            parent: *parent,
+            via: *via,
+            from: ray.from + self.origin,
+            to,
+            direction: ray.direction,
+            medium_index: self.medium_index,
+            power: *power,
+            optical_path,
+            ending: self.ending,
+            hit,
+        }
+    }
 }
 
 /// Follows rays, one after the other.
@@ -63,7 +112,7 @@ impl<'a> Tracer<'a> {
         power: Power,
         indices: &'a [f64],
         most: u64,
-        mut visit: impl FnMut(&Segment),
+        mut visit: impl FnMut(&Leg),
     ) -> Work {
         self.indices = indices;
         self.segments_left = most;
@@ -79,11 +128,13 @@ impl<'a> Tracer<'a> {
         });
         let started_with = power.total();
         let mut next = 0;
-        while let Some(branch) = self.waiting.pop() {
-            let segment = self.segment(SegmentId(next), branch, started_with);
+        while let Some(mut branch) = self.waiting.pop() {
+            let id = SegmentId(next);
+            let (ending, arrived) = self.step(id, &mut branch, started_with);
             next += 1;
-            self.work.ended[segment.ending as usize] += 1;
-            visit(&segment);
+            self.work.ended[ending as usize] += 1;
+            let medium_index = self.index(branch.ray.medium);
+            visit(&Leg { id, branch: &branch, origin: self.system.origin, medium_index, ending, arrived });
         }
         self.work.followed = most - self.segments_left;
         self.work.nodes = std::mem::take(&mut self.search.nodes);
@@ -92,31 +143,21 @@ impl<'a> Tracer<'a> {
 
     /// Follows one branch to its end and queues what it spawns, the reflected ray first so that the transmitted one is
     /// followed first.
-    fn segment(&mut self, id: SegmentId, mut branch: Branch, started_with: f64) -> Segment {
-        let ending = self.cut(&branch, started_with);
-        let mut crossing = None;
-        if ending.is_none() {
-            self.segments_left -= 1;
-            crossing = self.search.nearest(&branch.ray);
-            let is_outside = branch.ray.medium == self.system.surroundings;
-            if branch.parent.is_none() && crossing.is_none() && !is_outside {
-                (branch.ray.medium, crossing) = self.meet_beyond(&branch.ray);
-            }
+    #[inline]
+    fn step(&mut self, id: SegmentId, branch: &mut Branch, started_with: f64) -> (Ending, Option<Arrived>) {
+        if let Some(ending) = self.cut(branch, started_with) {
+            return (ending, None);
         }
-        let segment = Segment {
-            id,
-            parent: branch.parent,
-            via: branch.via,
-            from: branch.ray.from + self.system.origin,
-            to: None,
-            direction: branch.ray.direction,
-            medium_index: self.index(branch.ray.medium),
-            power: branch.power,
-            optical_path: branch.optical_path,
-            ending: ending.unwrap_or(Ending::Escaped),
-            hit: None,
-        };
-        crossing.map_or(segment, |crossing| self.arrive(&branch, &crossing, segment))
+        self.segments_left -= 1;
+        let mut crossing = self.search.nearest(&branch.ray);
+        let is_outside = branch.ray.medium == self.system.surroundings;
+        if branch.parent.is_none() && crossing.is_none() && !is_outside {
+            (branch.ray.medium, crossing) = self.meet_beyond(&branch.ray);
+        }
+        match crossing {
+            Some(crossing) => self.arrive(id, branch, &crossing),
+            None => (Ending::Escaped, None),
+        }
     }
 
     /// The medium that a source's ray runs in whose line misses the one it was found in, and what it meets there. Such a ray
@@ -148,7 +189,8 @@ impl<'a> Tracer<'a> {
         self.work.disperses |= self.system.media[medium.place()].is_dispersive();
     }
 
-    fn arrive(&mut self, branch: &Branch, crossing: &Crossing, segment: Segment) -> Segment {
+    #[inline]
+    fn arrive(&mut self, id: SegmentId, branch: &Branch, crossing: &Crossing) -> (Ending, Option<Arrived>) {
         let interface = &self.system.interfaces[crossing.interface];
         let Branch { ray, power, .. } = branch;
         // The rounded point is put back on its curve, between its ends.
@@ -171,7 +213,7 @@ impl<'a> Tracer<'a> {
             let start = Start::On { interface: crossing.interface, left };
             let ray = Ray { from: at, direction, medium, start };
             let hits_behind = branch.hits_behind + 1;
-            self.waiting.push(Branch { parent: Some(segment.id), via, ray, power, optical_path, hits_behind });
+            self.waiting.push(Branch { parent: Some(id), via, ray, power, optical_path, hits_behind });
             true
         };
         let reflected = spawn(reflected, hit.reflectance, ray.medium, crossing.from_left);
@@ -181,11 +223,6 @@ impl<'a> Tracer<'a> {
             (false, Some(_)) => Ending::Detected,
             (false, None) => Ending::Absorbed,
         };
-        Segment { to: Some(self.out(at)), optical_path, ending, hit: Some(hit), ..segment }
-    }
-
-    /// A point in scene coordinates.
-    fn out(&self, p: DVec2) -> DVec2 {
-        p + self.system.origin
+        (ending, Some(Arrived { at, optical_path, hit }))
     }
 }
