@@ -85,7 +85,7 @@ pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
 }
 
 /// The same for an incidence that is known.
-#[inline]
+#[inline(always)]
 pub(crate) fn refract_at(incidence: &Incidence, v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
     let Incidence { cos: cos_i, sin: sin_i, tangent } = *incidence;
     // The same medium on both sides: no boundary at all.

@@ -183,7 +183,7 @@ fn first_of(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<
 }
 
 /// Visits every crossing of the ray's line with an interface, if that bounds the ray's medium.
-#[inline]
+#[inline(always)]
 pub(crate) fn passages(probe: &Probe, place: usize, mut visit: impl FnMut(Passage)) {
     let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
     let is_boundary = || interface.left == medium || interface.right == medium;

@@ -70,7 +70,7 @@ impl<'a> Probe<'a> {
     }
 
     /// Visits where the line crosses the interface at place `index`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn crossings(&self, index: usize, candidate: &Interface, visit: impl FnMut(Met)) {
         if candidate.curve.is_straight() {
             self.edge(index, candidate).into_iter().for_each(visit);
@@ -151,7 +151,7 @@ impl<'a> Probe<'a> {
     }
 
     /// The crossing of an edge: not of one that the ray stands on.
-    #[inline]
+    #[inline(always)]
     fn edge(&self, index: usize, candidate: &Interface) -> Option<Met> {
         let Ray { from, direction, start, .. } = *self.ray;
         let Curve { a, b, m, n, .. } = candidate.curve;
@@ -206,6 +206,7 @@ impl<'a> Probe<'a> {
         Met { is_ahead, is_in_doubt: begin <= self.near && end >= -self.near, ..met }
     }
 
+    #[inline(never)]
     fn arc(&self, index: usize, candidate: &Interface) -> [Option<Met>; 2] {
         match self.ray.start {
             Start::On { interface, left } if interface == index => return [self.again(candidate, left), None],
