@@ -3,6 +3,7 @@ use std::time::Instant;
 use super::console::tell;
 use super::progress;
 use crate::diagram::Statistics;
+use crate::numerics::Sum;
 use crate::system::OpticalSystem;
 use crate::trace::{Ending, Summary};
 
@@ -76,7 +77,7 @@ impl Stats<'_> {
         let Summary { rays, segments, work, .. } = self.summary;
         let without = work.hits() - work.fresnel;
         let search = if self.system.tree.is_none() {
-            "without a tree: every interface is looked at".into()
+            "without a search tree, which so few interfaces do not need".into()
         } else {
             let per_segment = ratio(work.nodes, work.followed);
             format!("{} of the search tree visited, {per_segment:.2} a followed segment", count(work.nodes, "node"))
@@ -85,7 +86,10 @@ impl Stats<'_> {
         [
             ("rays", rays.to_string()),
             ("segments", format!("{segments}, {} followed", work.followed)),
-            ("spared", format!("{}, copied from another line that takes the same way", count(work.spared, "segment"))),
+            (
+                "spared",
+                format!("{}, copied from another spectral line that goes the same way", count(work.spared, "segment")),
+            ),
             ("hits", format!("{}, Fresnel's equations evaluated at {}, not at {without}", work.hits(), work.fresnel)),
             ("search", search),
             ("ray tree", kept.into()),
@@ -104,7 +108,7 @@ impl Stats<'_> {
             (Ending::CutMaxDepth, balance.cut_max_depth),
             (Ending::CutMaxSegments, balance.cut_max_segments),
         ];
-        let line = move |(ending, power): (Ending, crate::numerics::Sum)| {
+        let line = move |(ending, power): (Ending, Sum)| {
             let share = if emitted > 0.0 { 100.0 * power.value() / emitted } else { 0.0 };
             (ending.word(), format!("{}, {share:.4} % of the power", count(work.ended(ending), "segment")))
         };
