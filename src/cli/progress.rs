@@ -56,7 +56,7 @@ pub(super) fn clear() -> MutexGuard<'static, Line> {
 /// What takes long can be interrupted, and on a terminal tells what it does.
 fn attend() {
     static ATTENDED: Once = Once::new();
-    if ATTENDED.is_completed() || !lock().doing.is_some_and(|(_, since)| since.elapsed() > LONG) {
+    if ATTENDED.is_completed() || lock().doing.is_none_or(|(_, since)| since.elapsed() < LONG) {
         return;
     }
     ATTENDED.call_once(|| {

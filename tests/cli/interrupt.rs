@@ -7,16 +7,18 @@ use std::time::{Duration, Instant};
 
 use crate::place::{Place, Run};
 
+/// Hits that take longer than what interrupts them.
+const HITS: u32 = 1_000_000;
 /// Longer than all that is waited for.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A scene of so many rays, each with about 500 segments.
-fn scene(rays: u32) -> String {
+/// 1000 rays that cannot leave a disk, followed for so many hits each.
+fn scene(hits: u32) -> String {
     format!(
         "(
             bodies: [(shape: Disk(20), medium: Index(1.5))],
-            sources: [(light: Beam(center: (-30, 0), direction: Angle(0), width: 30, rays: {rays}))],
-            trace: (min_power: 0, max_depth: 500, max_segments: 1000000000),
+            sources: [(light: Beam(center: (0, 17), direction: Angle(0), width: 2, rays: 1000))],
+            trace: (max_depth: {hits}, max_segments: 1000000000),
         )"
     )
 }
@@ -43,7 +45,7 @@ fn end(mut child: Child, signal: &str) -> Run {
 #[test]
 fn an_interrupt_ends_a_long_trace() {
     for (signal, file) in [("-INT", "old.json"), ("-TERM", "new.json")] {
-        let place = Place::with(&[("a.ron", &scene(1_000_000)), ("old.json", "before")]);
+        let place = Place::with(&[("a.ron", &scene(HITS)), ("old.json", "before")]);
         let child = start(&place, &["trace", "a.ron", "--format", "summary", "-o", file]);
         sleep(Duration::from_secs(2));
         let run = end(child, signal).status(130);
@@ -55,7 +57,7 @@ fn an_interrupt_ends_a_long_trace() {
 
 #[test]
 fn an_interrupt_removes_what_is_half_written() {
-    let place = Place::with(&[("a.ron", &scene(500)), ("a.json", "before")]);
+    let place = Place::with(&[("a.ron", &scene(300)), ("a.json", "before")]);
     let child = start(&place, &["trace", "a.ron", "-o", "a.json"]);
     let since = Instant::now();
     while place.files().len() < 3 {
@@ -71,7 +73,7 @@ fn an_interrupt_removes_what_is_half_written() {
 #[cfg(target_os = "linux")]
 #[test]
 fn progress_is_told_on_a_terminal_and_vanishes() {
-    let place = Place::with(&[("long.ron", &scene(1_000_000)), ("short.ron", &scene(1))]);
+    let place = Place::with(&[("long.ron", &scene(HITS)), ("short.ron", &scene(1))]);
     let run = |command: &str| {
         let line = format!("{command} --format summary -o a.json");
         let mut script = Command::new("script");
