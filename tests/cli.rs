@@ -4,6 +4,9 @@
 
 #[path = "cli/files.rs"]
 mod files;
+#[cfg(unix)]
+#[path = "cli/interrupt.rs"]
+mod interrupt;
 #[path = "cli/place.rs"]
 mod place;
 #[path = "cli/problems.rs"]
@@ -12,5 +15,7 @@ mod problems;
 mod program;
 #[path = "cli/render.rs"]
 mod render;
+#[path = "cli/stats.rs"]
+mod stats;
 #[path = "cli/trace.rs"]
 mod trace;

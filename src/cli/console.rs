@@ -2,6 +2,8 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use super::progress;
+
 /// How a command went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Status {
@@ -48,6 +50,7 @@ impl From<Status> for ExitCode {
 
 /// Puts words on standard error; a closed stream is nobody's fault.
 pub(super) fn tell(words: impl Display) {
+    drop(progress::clear());
     let _ = writeln!(io::stderr().lock(), "{words}");
 }
 

@@ -1,13 +1,15 @@
 //! The `snellius` command: one file a subcommand.
 //!
 //! Results go to standard output, everything else to standard error. The exit status is 0 when all is done, 1 when a
-//! scene or a file is at fault, 2 when the command line is.
+//! scene or a file is at fault, 2 when the command line is, 130 when a user or the system ends the command early.
 
 mod check;
 mod console;
+mod interrupt;
 mod materials;
 mod new;
 mod output;
+mod progress;
 mod render;
 mod scene;
 mod stats;

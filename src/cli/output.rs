@@ -1,8 +1,9 @@
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use super::console::{Fault, Mistake, reason};
+use super::{interrupt, progress};
 
 /// Where a result goes.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -32,7 +33,12 @@ impl Target {
     /// Writes a result. A file appears whole or not at all; a pipe that nobody reads any more ends it quietly.
     pub(super) fn write(&self, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Fault> {
         let (name, written) = match self {
-            Self::Stdout => ("<stdout>".into(), buffered(io::stdout().lock(), produce)),
+            Self::Stdout => {
+                if io::stdout().is_terminal() {
+                    drop(progress::clear());
+                }
+                ("<stdout>".into(), buffered(io::stdout().lock(), produce))
+            }
             Self::File(path) => (path.display().to_string(), write_file(path, produce)),
         };
         match written {
@@ -69,13 +75,12 @@ fn write_whole(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<(
         // As for any new file: the process's umask takes away what it takes away.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    let mut file = builder.tempfile_in(folder)?;
+    let mut file = interrupt::create(|| builder.tempfile_in(folder))?;
     buffered(file.as_file_mut(), produce)?;
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
     }
-    file.persist(&path).map_err(|failed| failed.error)?;
-    Ok(())
+    interrupt::complete(file, &path)
 }
 
 /// The permissions of a file that may be replaced; `None` where there is none yet. Only its folder need be writable to

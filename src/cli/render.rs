@@ -6,9 +6,11 @@ use clap::{Args, ValueEnum};
 
 use super::console::{Fault, Mistake, Status, reason};
 use super::output::Target;
+use super::progress;
 use super::scene::{self, is_stdin, refuse_two_stdins};
-use super::stats::{self, Stopwatch};
-use crate::{diagram, render, trace};
+use super::stats::{Stats, Stopwatch};
+use crate::trace::{self, Trace};
+use crate::{diagram, render};
 
 /// Draw scenes as ray diagrams.
 ///
@@ -28,7 +30,7 @@ pub(super) struct Render {
     /// Forms of the picture, separated by commas [default: the extension of -o, else svg].
     #[arg(long, value_enum, value_delimiter = ',')]
     format: Vec<Format>,
-    /// Print counts, powers and times on standard error.
+    /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
 }
@@ -46,6 +48,13 @@ impl Format {
         match self {
             Self::Svg => "svg",
             Self::Png => "png",
+        }
+    }
+
+    fn writing(self) -> &'static str {
+        match self {
+            Self::Svg => "writing svg",
+            Self::Png => "writing png",
         }
     }
 
@@ -136,11 +145,12 @@ impl Render {
     fn draw(&self, job: &Job) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
         let ready = scene::prepare(job.scene, &mut watch)?;
-        let trace = trace::trace(&ready.system);
-        watch.lap("trace");
-        let drawing = diagram::draw(&ready.scene, &ready.system, &trace.tree);
-        watch.lap("draw");
+        watch.begin("tracing");
+        let Trace { tree, summary } = trace::trace_watched(&ready.system, &progress::count);
+        watch.begin("drawing");
+        let (drawing, figure) = diagram::draw_counted(&ready.scene, &ready.system, &tree);
         for (target, format) in &job.pictures {
+            watch.begin(format.writing());
             let bytes = match format {
                 Format::Svg => render::svg(&drawing).into_bytes(),
                 Format::Png => render::png(&drawing, 1.0)
@@ -150,10 +160,10 @@ impl Render {
             if let Target::File(path) = target {
                 Target::Stdout.write(|out| writeln!(out, "{}", path.display()))?;
             }
-            watch.lap(format.extension());
         }
         if self.stats {
-            stats::show(&scene::name(job.scene), &ready.system, &trace.summary, Some(&trace.tree), &watch);
+            Stats { system: &ready.system, summary: &summary, keeps_tree: true, figure: Some(figure) }
+                .show(&scene::name(job.scene), &watch);
         }
         Ok(())
     }

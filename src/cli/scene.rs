@@ -38,11 +38,11 @@ pub(super) fn refuse_two_stdins(scenes: &[PathBuf]) -> Result<(), Mistake> {
 pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault> {
     let file = name(path);
     let text = read(path, &file)?;
-    watch.lap("read");
+    watch.begin("loading");
     // With an empty line behind: each problem takes several lines.
     let shown = |problems: &[Problem]| format!("{}\n", scene::render_problems(problems, &text, &file).trim_end());
     let Loaded { scene, places, mut warnings } = scene::load(&text).map_err(|problems| Fault(shown(&problems)))?;
-    watch.lap("load");
+    watch.begin("compiling");
     let placed = |mut problem: Problem| {
         places.locate(&mut problem);
         problem
@@ -51,7 +51,6 @@ pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault
         let all = warnings.iter().cloned().chain([problem]).map(placed);
         Fault(shown(&all.collect::<Vec<_>>()))
     })?;
-    watch.lap("compile");
     warnings.extend(more.into_iter().map(placed));
     if !warnings.is_empty() {
         tell(shown(&warnings));

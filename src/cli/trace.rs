@@ -4,9 +4,11 @@ use clap::{Args, ValueEnum};
 
 use super::console::{Fault, Mistake, Status};
 use super::output::Target;
+use super::progress;
 use super::scene::{self, Ready};
-use super::stats::{self, Stopwatch};
-use crate::{report, trace};
+use super::stats::{Stats, Stopwatch};
+use crate::report;
+use crate::trace::{self, RayTree};
 
 /// Trace a scene and print what became of every ray.
 #[derive(Args)]
@@ -20,7 +22,7 @@ pub(super) struct Trace {
     /// File to write; '-' is standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Print counts, powers and times on standard error.
+    /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
 }
@@ -72,27 +74,23 @@ impl Trace {
     fn trace(&self, target: &Target, format: Format) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
         let Ready { system, .. } = scene::prepare(&self.scene, &mut watch)?;
-        let name = scene::name(&self.scene);
-        if format == Format::Summary {
-            let summary = trace::summarize(&system);
-            watch.lap("trace");
-            target.write(|mut out| report::write_summary_json(&mut out, &system, &summary))?;
-            watch.lap("write");
-            if self.stats {
-                stats::show(&name, &system, &summary, None, &watch);
-            }
-            return Ok(());
-        }
-        let trace = trace::trace(&system);
-        watch.lap("trace");
+        watch.begin("tracing");
+        let (trace, keeps_tree) = if format == Format::Summary {
+            let summary = trace::summarize_watched(&system, &progress::count);
+            (trace::Trace { tree: RayTree::default(), summary }, false)
+        } else {
+            (trace::trace_watched(&system, &progress::count), true)
+        };
+        watch.begin("writing");
         target.write(|mut out| match format {
             Format::Csv => report::write_csv(&mut out, &system, &trace.tree),
             Format::Json => report::write_json(&mut out, &system, &trace),
-            Format::Text | Format::Summary => report::write_text(&mut out, &system, &trace),
+            Format::Summary => report::write_summary_json(&mut out, &system, &trace.summary),
+            Format::Text => report::write_text(&mut out, &system, &trace),
         })?;
-        watch.lap("write");
         if self.stats {
-            stats::show(&name, &system, &trace.summary, Some(&trace.tree), &watch);
+            Stats { system: &system, summary: &trace.summary, keeps_tree, figure: None }
+                .show(&scene::name(&self.scene), &watch);
         }
         Ok(())
     }

@@ -58,12 +58,9 @@ fn stats_go_to_standard_error() {
     let plain = place.run(&["trace", "a.ron"]).clean();
     let run = place.run(&["trace", "a.ron", "--stats"]).status(0);
     assert_eq!(run.stdout(), plain);
-    for word in ["stats of a.ron", "interfaces", "rays", "segments", "cut_min_power", "compile", "trace", " ms"] {
-        assert!(run.stderr().contains(word), "{word} in\n{}", run.stderr());
-    }
-    let run = place.run(&["trace", "a.ron", "--stats", "--format", "summary"]).status(0);
-    assert!(run.stderr().contains("interfaces"));
+    let stats = run.stderr();
+    assert!(stats.lines().skip(1).all(|line| line.starts_with("  ") && !line[20..].starts_with(' ')), "{stats}");
     let run = place.run(&["render", "a.ron", "--stats"]).status(0);
-    assert!(run.stderr().contains("draw"));
     assert_eq!(run.stdout(), "a.svg\n");
+    assert!(run.stderr().starts_with("stats of a.ron\n"), "{}", run.stderr());
 }
