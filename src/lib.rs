@@ -45,8 +45,8 @@
 //!
 //! # What stays the same
 //!
-//! The same scene gives the same bits on every machine: the trace uses only +, −, ×, ÷, √ and fused multiply-add, and
-//! every other function comes from libm.
+//! The same scene gives the same bits on every machine and for any number of processors: the trace uses only +, −, ×, ÷ and
+//! √, and every other function comes from libm.
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "tests compare exact bits on purpose"))]
 
 pub mod compile;

@@ -90,6 +90,7 @@ impl<V: Visitor> Run<'_, '_, V> {
         }
     }
 
+    #[inline]
     fn segment(&mut self, id: SegmentId, branch: &Branch) -> Segment {
         let is_deep = branch.hits >= self.replay.max_depth;
         let is_weak = branch.power.total() < self.replay.min_power * self.ray.power;
@@ -106,6 +107,7 @@ impl<V: Visitor> Run<'_, '_, V> {
         }
     }
 
+    #[inline]
     fn arrive(&mut self, branch: &Branch, interface: usize, from_left: bool, segment: Segment) -> Segment {
         let met = &self.replay.system.interfaces()[interface];
         let distance = distance(&met.curve, branch, branch.last == interface, from_left);

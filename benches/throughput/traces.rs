@@ -1,6 +1,7 @@
 //! Whole traces against the scalar loop, parry2d and the floor.
 
-use snellius::{OpticalSystem, Segment, Summary, TracedRay, Visitor, visit};
+use snellius::numerics::Sum;
+use snellius::{Ending, OpticalSystem, Segment, TracedRay, Visitor, visit};
 
 use crate::contest::{BOXES, Contest, OURS, PARRY, SCALAR};
 use crate::figures::Bound;
@@ -81,7 +82,7 @@ fn timed(study: &Study, contest: &Contest, with_scalar: bool, with_floor: bool) 
         tasks.push(contest.scalar());
     }
     if let Some(replay) = &replay {
-        tasks.push(Task::new(FLOOR, contest.followed, || summary(&contest.system, |sum| replay.visit(sum))));
+        tasks.push(Task::new(FLOOR, contest.followed, || balance(replay)));
     }
     race(study, tasks)
 }
@@ -118,10 +119,30 @@ impl Visitor for List {
     }
 }
 
-fn summary(system: &OpticalSystem, run: impl FnOnce(&mut Summary)) -> Summary {
-    let mut summary = Summary::new(system);
-    run(&mut summary);
-    summary
+/// The power of a replay, summed up by how its branches end, as a trace without a tree sums it.
+fn balance(replay: &Replay) -> Balance {
+    let mut balance = Balance::default();
+    replay.visit(&mut balance);
+    balance
+}
+
+#[derive(Default)]
+struct Balance {
+    segments: u64,
+    escaped: Sum,
+    cut: Sum,
+}
+
+impl Visitor for Balance {
+    #[inline]
+    fn segment(&mut self, _: &TracedRay, segment: Segment) {
+        self.segments += 1;
+        match segment.ending {
+            Ending::Interface => {}
+            Ending::Escaped => self.escaped.add(segment.power.total()),
+            _ => self.cut.add(segment.power.total()),
+        }
+    }
 }
 
 fn row(table: &mut Table, name: &str, contest: &Contest, times: &Times) {
