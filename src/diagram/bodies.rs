@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 
 use crate::diagram::{Figure, outline};
 use crate::drawing::{Color, Fill, Group, Item, Path, Rect, Shape, Stroke};
-use crate::geometry::Curve;
+use crate::geometry::{Bounds, BoxTree, Curve};
 use crate::light::Wavelength;
 use crate::scene::Substance;
 use crate::system::{Action, Interface, MediumId, Outline};
@@ -16,7 +16,7 @@ const OUTLINE_WIDTH: f64 = 0.6;
 pub(super) fn bodies(figure: &Figure<'_>) -> Vec<Item> {
     let mut items: Vec<Item> = surroundings(figure).into_iter().collect();
     let bodies: Vec<_> = figure.system.bodies().iter().map(|body| filled(&body.outlines)).collect();
-    let turns: Vec<usize> = (0..bodies.len()).map(|k| outline_turn(&bodies, k)).collect();
+    let turns = outline_turns(&bodies);
     let mut by_turn: Vec<usize> = (0..bodies.len()).collect();
     by_turn.sort_by_key(|k| turns[*k]);
     let mut waiting = by_turn.into_iter().peekable();
@@ -45,13 +45,22 @@ fn filled(outlines: &[Outline]) -> Vec<Filled<'_>> {
     filled.map(|(outline, medium)| Filled { outline, medium, bounds: bounds(outline) }).collect()
 }
 
-/// Before which body's fill the outlines of body k are drawn: before the first later one of another medium that may
+/// Before which body's fill the outlines of every body are drawn: before the first later one of another medium that may
 /// cover it. A later body of the same medium leaves them visible, since there the boundary vanishes but the shape stays.
-fn outline_turn(bodies: &[Vec<Filled<'_>>], k: usize) -> usize {
-    let covers = |other: &Filled<'_>| {
-        bodies[k].iter().any(|own| own.medium != other.medium && own.bounds.overlaps(&other.bounds))
-    };
-    (k + 1..bodies.len()).find(|j| bodies[*j].iter().any(covers)).unwrap_or(bodies.len())
+fn outline_turns(bodies: &[Vec<Filled<'_>>]) -> Vec<usize> {
+    let parts: Vec<_> = (0..).zip(bodies).flat_map(|(k, body)| body.iter().map(move |part| (k, part))).collect();
+    let in_tree = |rect: Rect| Bounds { min: rect.min, max: rect.max };
+    let tree = BoxTree::new(&parts.iter().map(|(_, part)| in_tree(part.bounds)).collect::<Vec<_>>());
+    let mut turns = vec![bodies.len(); bodies.len()];
+    for &(k, own) in &parts {
+        tree.meeting(in_tree(own.bounds), |place| {
+            let (later, other) = parts[place];
+            if later > k && own.medium != other.medium && own.bounds.overlaps(&other.bounds) {
+                turns[k] = turns[k].min(later);
+            }
+        });
+    }
+    turns
 }
 
 fn bounds(outline: &Outline) -> Rect {
