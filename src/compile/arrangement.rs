@@ -8,6 +8,7 @@ use glam::DVec2;
 
 use crate::compile::cuts::Cuts;
 use crate::compile::intersect::crossings;
+use crate::compile::leaders::Leaders;
 use crate::compile::lists::Lists;
 use crate::geometry::{Bounds, Curve};
 
@@ -108,8 +109,7 @@ struct Arrangement<'a> {
     pairs: &'a [(usize, usize)],
     /// The ends of boundary k are 2k and 2k + 1; those after are where boundaries cross.
     points: Vec<DVec2>,
-    /// Union-find over the points: the smallest of those that are one leads.
-    leader: Vec<usize>,
+    leaders: Leaders,
     /// The points at which boundaries are cut, of those that are.
     cuts: HashMap<usize, Cuts>,
     /// Boundaries whose boxes meet a boundary's; rarely asked for.
@@ -124,8 +124,8 @@ fn ends(boundary: usize) -> [usize; 2] {
 impl<'a> Arrangement<'a> {
     fn new(boundaries: &'a [Boundary], pairs: &'a [(usize, usize)]) -> Self {
         let points: Vec<_> = boundaries.iter().flat_map(|b| [b.curve.a, b.curve.b]).collect();
-        let leader = (0..points.len()).collect();
-        Self { boundaries, pairs, points, leader, cuts: HashMap::new(), neighbors: OnceCell::new() }
+        let leaders = Leaders::new(points.len());
+        Self { boundaries, pairs, points, leaders, cuts: HashMap::new(), neighbors: OnceCell::new() }
     }
 
     fn cut(&mut self, boundary: usize, point: usize) {
@@ -141,20 +141,11 @@ impl<'a> Arrangement<'a> {
     }
 
     fn vertex(&self, point: usize) -> usize {
-        let mut vertex = point;
-        while self.leader[vertex] != vertex {
-            vertex = self.leader[vertex];
-        }
-        vertex
+        self.leaders.of(point)
     }
 
     fn at(&self, point: usize) -> DVec2 {
         self.points[self.vertex(point)]
-    }
-
-    fn unite(&mut self, first: usize, second: usize) {
-        let (first, second) = (self.vertex(first), self.vertex(second));
-        self.leader[first.max(second)] = first.min(second);
     }
 
     fn pair_tolerance(&self, i: usize, j: usize) -> f64 {
@@ -166,7 +157,7 @@ impl<'a> Arrangement<'a> {
         for first in ends(i) {
             for second in ends(j) {
                 if self.points[first].distance(self.points[second]) <= tolerance {
-                    self.unite(first, second);
+                    self.leaders.unite(first, second);
                 }
             }
         }
@@ -192,11 +183,11 @@ impl<'a> Arrangement<'a> {
             let known = [self.known_at(i, p, tolerance), self.known_at(j, p, tolerance)];
             let vertex = known[0].or(known[1]).unwrap_or_else(|| {
                 self.points.push(p);
-                self.leader.push(self.points.len() - 1);
+                self.leaders.push();
                 self.points.len() - 1
             });
             if let [Some(first), Some(second)] = known {
-                self.unite(first, second);
+                self.leaders.unite(first, second);
             }
             for (boundary, known) in [(i, known[0]), (j, known[1])] {
                 if known.is_none() {

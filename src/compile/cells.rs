@@ -1,11 +1,12 @@
 //! Stretches of one medium that a few interfaces enclose.
 
+use crate::compile::leaders::Leaders;
 use crate::compile::region::{crosses, signed_area};
 use crate::geometry::{Bounds, BoxTree};
 use crate::system::{Cells, Interface, MediumId};
 
 /// A cell has at most this many interfaces: so many are looked at one by one faster than a search finds them.
-const MOST: u32 = 12;
+const MOST: usize = 12;
 
 /// Finds the cells of a system, `boxes` and `tree` being those of its interfaces.
 ///
@@ -16,7 +17,7 @@ pub(crate) fn cells(interfaces: &[Interface], boxes: &[Bounds], tree: &BoxTree) 
     let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0], walls: Vec::new() };
     for sides in groups.in_order() {
         let walls = walls(sides);
-        if walls.len() > MOST as usize || !encloses(interfaces, sides, &walls, boxes, tree) {
+        if walls.len() > MOST || !encloses(interfaces, sides, &walls, boxes, tree) {
             continue;
         }
         let cell = number(cells.begins.len() - 1);
@@ -77,24 +78,24 @@ struct Groups {
 
 impl Groups {
     fn new(interfaces: &[Interface]) -> Self {
-        let mut leader: Vec<u32> = (0..number(2 * interfaces.len())).collect();
+        let mut leaders = Leaders::new(2 * interfaces.len());
         let mut at_vertices: Vec<_> = Vec::with_capacity(4 * interfaces.len());
-        for (side, interface) in (0..number(2 * interfaces.len())).zip(interfaces.iter().flat_map(|one| [one, one])) {
+        for (side, interface) in (0..).zip(interfaces.iter().flat_map(|one| [one, one])) {
             let medium = medium_of(interfaces, side);
             at_vertices.extend(interface.ends.map(|vertex| (vertex, medium, side)));
         }
         at_vertices.sort_unstable();
         for two in at_vertices.windows(2) {
             if (two[0].0, two[0].1) == (two[1].0, two[1].1) {
-                unite(&mut leader, two[0].2, two[1].2);
+                leaders.unite(two[0].2 as usize, two[1].2 as usize);
             }
         }
-        Self::of(&mut leader)
+        Self::of(&leaders, number(2 * interfaces.len()))
     }
 
     /// Sides by their leaders.
-    fn of(leader: &mut [u32]) -> Self {
-        let mut by_leader: Vec<_> = (0..number(leader.len())).map(|side| (find(leader, side), side)).collect();
+    fn of(leaders: &Leaders, count: u32) -> Self {
+        let mut by_leader: Vec<_> = (0..count).map(|side| (number(leaders.of(side as usize)), side)).collect();
         by_leader.sort_unstable();
         let mut begins: Vec<u32> = Vec::new();
         for (k, pair) in (0..).zip(&by_leader) {
@@ -109,20 +110,6 @@ impl Groups {
     fn in_order(&self) -> impl Iterator<Item = &[u32]> {
         self.begins.windows(2).map(|two| &self.sides[two[0] as usize..two[1] as usize])
     }
-}
-
-fn find(leader: &mut [u32], side: u32) -> u32 {
-    let mut root = side;
-    while leader[root as usize] != root {
-        leader[root as usize] = leader[leader[root as usize] as usize];
-        root = leader[root as usize];
-    }
-    root
-}
-
-fn unite(leader: &mut [u32], first: u32, second: u32) {
-    let (first, second) = (find(leader, first), find(leader, second));
-    leader[first.max(second) as usize] = first.min(second);
 }
 
 /// A place in a list as a number; lists are far shorter than 2^32.

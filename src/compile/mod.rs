@@ -7,6 +7,7 @@ mod cuts;
 mod gaps;
 mod interfaces;
 mod intersect;
+mod leaders;
 mod lists;
 mod origin;
 mod region;
@@ -27,7 +28,7 @@ use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, BoxTree, Curve, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
-use crate::system::{MediumId, OpticalSystem, Outline, PlacedBody, rounding};
+use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, rounding};
 
 /// So many interfaces are looked at one by one faster than a search finds them.
 const FEW: usize = 16;
@@ -88,13 +89,12 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     walls.retain(is_interface);
     let warnings = gaps(&walls, &firsts, &neighbors, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
-    let boxes: Vec<_> = walls.iter().map(|wall| Bounds::from(&wall.curve).grown(2.0 * near)).collect();
-    let tree = BoxTree::new(&boxes);
+    let (tree, cells) = where_rays_look(&walls, near);
     let system = OpticalSystem {
         origin,
         near,
-        cells: cells::cells(&walls, &boxes, &tree),
-        tree: (walls.len() > FEW).then_some(tree),
+        cells,
+        tree,
         dropped,
         media: media.list,
         surroundings,
@@ -106,6 +106,14 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         interfaces: walls,
     };
     Ok(Compiled { system, warnings })
+}
+
+/// The search tree over interfaces, if it is worth it, and the cells.
+fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<BoxTree>, Cells) {
+    let boxes: Vec<_> = interfaces.iter().map(|one| Bounds::from(&one.curve).grown(2.0 * near)).collect();
+    let tree = BoxTree::new(&boxes);
+    let cells = cells::cells(interfaces, &boxes, &tree);
+    ((interfaces.len() > FEW).then_some(tree), cells)
 }
 
 /// Problems of a scene whose text is not at hand.

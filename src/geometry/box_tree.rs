@@ -1,20 +1,19 @@
 //! A search tree over boxes, four to a node.
 //!
 //! # Source
-//! Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing 2007, for
-//! the binned splits; Wald, Benthin and Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing 2008, for
-//! the wide nodes.
+//! Wald, Benthin and Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing 2008, for the wide nodes.
 
 use glam::{DVec2, Vec4};
 
 use crate::geometry::Bounds;
+use crate::geometry::box_split::{Flat, Item, around, split};
 
 /// Boxes by their place in a list, found by where they are.
 ///
 /// A search visits every box that qualifies and some that only nearly do: boxes are kept in single precision of the whole
 /// tree's extent, rounded outward.
 #[derive(Clone, Debug)]
-pub struct BoxTree {
+pub(crate) struct BoxTree {
     nodes: Vec<Node>,
     /// The box around all boxes.
     bounds: Bounds,
@@ -36,19 +35,12 @@ const ITEM: u32 = 1 << 31;
 const NONE: u32 = u32::MAX;
 /// How far boxes are grown, in units of the extent. Rounding boxes and rays to single precision moves them by up to 2^-21.
 const PAD: f32 = 1.0 / 1_048_576.0;
-/// Bins of a split.
-const BINS: usize = 16;
-
-/// Splits deeper than this are in halves, so that no list makes a tree much deeper.
-const DEEP: u32 = 32;
-
 /// What waits to be searched: the distance at which a line enters a box, in the tree's units, and what is in the box.
-pub type Waiting = Vec<(f32, u32)>;
+pub(crate) type Waiting = Vec<(f32, u32)>;
 
 impl BoxTree {
     /// A tree over at most 2^31 − 1 boxes. Boxes beyond that are left out.
-    #[must_use]
-    pub fn new(boxes: &[Bounds]) -> Self {
+    pub(crate) fn new(boxes: &[Bounds]) -> Self {
         let bounds = boxes.iter().fold(Bounds::EMPTY, |all, one| all.union(*one));
         let extent = bounds.size().max_element();
         let scale = if extent > 0.0 { libm::ldexp(1.0, -libm::frexp(extent).1) } else { 1.0 };
@@ -60,7 +52,7 @@ impl BoxTree {
     }
 
     /// Visits the boxes that share a point with `bounds`.
-    pub fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
+    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
         let Flat { min, max } = self.flat(bounds);
         let mut waiting = vec![0];
         while let Some(place) = waiting.pop() {
@@ -79,7 +71,7 @@ impl BoxTree {
     /// Visits the boxes that a line meets at a distance of at least `begin` from its point `from` along the unit vector
     /// `direction`, about in the order in which it meets them. `visit` returns the distance beyond which nothing counts any
     /// more. Returns how many nodes were looked at. `waiting` is working memory.
-    pub fn along(
+    pub(crate) fn along(
         &self,
         from: DVec2,
         direction: DVec2,
@@ -243,99 +235,6 @@ fn inverse(component: f64) -> f32 {
 /// A component of a direction, away from 0 so far that its inverse is no infinity in single precision.
 fn no_zero(component: f64) -> f64 {
     if component.abs() < 1e-18 { 1e-18_f64.copysign(component) } else { component }
-}
-
-/// A box to be put in the tree.
-#[derive(Clone, Copy)]
-struct Item {
-    place: u32,
-    flat: Flat,
-}
-
-/// A box in the tree's units.
-#[derive(Clone, Copy)]
-struct Flat {
-    min: [f32; 2],
-    max: [f32; 2],
-}
-
-impl Flat {
-    const EMPTY: Self = Self { min: [f32::INFINITY; 2], max: [f32::NEG_INFINITY; 2] };
-
-    fn union(self, other: Self) -> Self {
-        Self {
-            min: [0, 1].map(|axis| self.min[axis].min(other.min[axis])),
-            max: [0, 1].map(|axis| self.max[axis].max(other.max[axis])),
-        }
-    }
-
-    /// Half the circumference: the chance that a line meets the box.
-    fn girth(self) -> f32 {
-        (self.max[0] - self.min[0]).max(0.0) + (self.max[1] - self.min[1]).max(0.0)
-    }
-
-    /// Twice the center.
-    fn center(self, axis: usize) -> f32 {
-        self.min[axis] + self.max[axis]
-    }
-}
-
-fn around(items: &[Item]) -> Flat {
-    items.iter().fold(Flat::EMPTY, |all, item| all.union(item.flat))
-}
-
-/// Parts items where lines meet the fewest boxes, along the axis on which their centers spread most; in halves where that
-/// would leave all on one side.
-fn split(items: &mut [Item], depth: u32) -> (&mut [Item], &mut [Item]) {
-    if items.len() < 2 {
-        return items.split_at_mut(items.len());
-    }
-    let centers = items.iter().fold(Flat::EMPTY, |all, item| {
-        let center = [0, 1].map(|axis| item.flat.center(axis));
-        all.union(Flat { min: center, max: center })
-    });
-    let spread = [0, 1].map(|axis| centers.max[axis] - centers.min[axis]);
-    let axis = usize::from(spread[1] > spread[0]);
-    let middle = items.len() / 2;
-    if items.len() <= 4 || depth > DEEP || spread[axis] <= 0.0 {
-        items.select_nth_unstable_by(middle, |a, b| a.flat.center(axis).total_cmp(&b.flat.center(axis)));
-        return items.split_at_mut(middle);
-    }
-    #[expect(clippy::cast_precision_loss, reason = "a small number")]
-    let per_bin = BINS as f32 / spread[axis];
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 0 and clamped")]
-    let bin = |item: &Item| (((item.flat.center(axis) - centers.min[axis]) * per_bin) as usize).min(BINS - 1);
-    let cut = best_cut(items, bin);
-    let mut low = 0;
-    for k in 0..items.len() {
-        if bin(&items[k]) < cut {
-            items.swap(low, k);
-            low += 1;
-        }
-    }
-    items.split_at_mut(if low == 0 || low == items.len() { middle } else { low })
-}
-
-/// The bin before which to cut.
-fn best_cut(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
-    let mut bins = [(0_u32, Flat::EMPTY); BINS];
-    for item in items {
-        let (count, flat) = &mut bins[bin(item)];
-        *count += 1;
-        *flat = flat.union(item.flat);
-    }
-    let add = |(count, flat): &mut (u32, Flat), &(more, other): &(u32, Flat)| {
-        *count += more;
-        *flat = flat.union(other);
-        Some((*count, *flat))
-    };
-    let below: Vec<_> = bins.iter().scan((0, Flat::EMPTY), add).collect();
-    let mut above: Vec<_> = bins.iter().rev().scan((0, Flat::EMPTY), add).collect();
-    above.reverse();
-    #[expect(clippy::cast_precision_loss, reason = "an estimate")]
-    let cost = |(count, flat): (u32, Flat)| count as f32 * flat.girth();
-    let total = |cut: &usize| cost(below[cut - 1]) + cost(above[*cut]);
-    (1..BINS).min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or(1)
 }
 
 #[cfg(test)]

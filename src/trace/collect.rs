@@ -42,8 +42,8 @@ const ALONE: u64 = 16_384;
 const BATCH: u64 = 4096;
 
 /// Follows every ray of the system and hands the parts on in order. The segments that the system's limit allows are spent in
-/// that order too: the result does not depend on the number of threads. `progress` hears now and then how many segments were
-/// followed since it was last called.
+/// that order too: the result does not depend on the number of threads. `progress` hears now and then how many more segments
+/// there are.
 pub(crate) fn collect(
     system: &OpticalSystem,
     keeps_tree: bool,

@@ -74,14 +74,36 @@ pub struct ScreenHit {
 
 impl Visitor for Summary {
     fn segment(&mut self, ray: &TracedRay, segment: Segment) {
-        let mut one = RaySummary::default();
-        one.count(ray, segment.id, segment.ending, segment.power.total(), segment.hit.as_ref());
+        let (power, hit) = (segment.power.total(), segment.hit.as_ref());
         self.rays += u64::from(segment.parent.is_none());
-        self.add(one);
+        self.segments += 1;
+        self.balance.count(segment.id, segment.ending, power, hit);
+        self.land(landing(ray, segment.id, segment.ending, power, hit));
     }
 }
 
 impl PowerBalance {
+    /// Counts a segment: its place in its ray, how it ended, the power it carried, and what it met.
+    #[inline]
+    fn count(&mut self, id: SegmentId, ending: Ending, power: f64, hit: Option<&Hit>) {
+        if id.0 == 0 {
+            self.emitted.add(power);
+        }
+        match ending {
+            Ending::Escaped => self.escaped.add(power),
+            Ending::CutMinPower => self.cut_min_power.add(power),
+            Ending::CutMaxDepth => self.cut_max_depth.add(power),
+            Ending::CutMaxSegments => self.cut_max_segments.add(power),
+            Ending::Detected => self.detected.add(power),
+            Ending::Absorbed => self.absorbed.add(power),
+            Ending::Interface => {
+                if let Some(share) = hit.map(|hit| hit.absorptance).filter(|share| *share != 0.0) {
+                    self.absorbed.add(power * share);
+                }
+            }
+        }
+    }
+
     /// Adds another balance.
     fn add(&mut self, other: &Self) {
         self.emitted.add_sum(other.emitted);
@@ -118,7 +140,11 @@ impl Summary {
     pub(crate) fn add(&mut self, ray: RaySummary) {
         self.segments += ray.segments;
         self.balance.add(&ray.balance);
-        for (body, hit) in ray.landed {
+        self.land(ray.landed);
+    }
+
+    fn land(&mut self, landed: impl IntoIterator<Item = (usize, ScreenHit)>) {
+        for (body, hit) in landed {
             if let Some(screen) = self.screens.iter_mut().find(|screen| screen.body == body) {
                 screen.hits.push(hit);
             }
@@ -131,29 +157,21 @@ impl RaySummary {
     #[inline]
     pub(crate) fn count(&mut self, ray: &TracedRay, id: SegmentId, ending: Ending, power: f64, hit: Option<&Hit>) {
         self.segments += 1;
-        if id.0 == 0 {
-            self.balance.emitted.add(power);
-        }
-        match ending {
-            Ending::Escaped => self.balance.escaped.add(power),
-            Ending::CutMinPower => self.balance.cut_min_power.add(power),
-            Ending::CutMaxDepth => self.balance.cut_max_depth.add(power),
-            Ending::CutMaxSegments => self.balance.cut_max_segments.add(power),
-            Ending::Detected => self.detect(ray, id, power, hit),
-            Ending::Absorbed => self.balance.absorbed.add(power),
-            Ending::Interface => {
-                if let Some(share) = hit.map(|hit| hit.absorptance).filter(|share| *share != 0.0) {
-                    self.balance.absorbed.add(power * share);
-                }
-            }
-        }
+        self.balance.count(id, ending, power, hit);
+        self.landed.extend(landing(ray, id, ending, power, hit));
     }
+}
 
-    fn detect(&mut self, ray: &TracedRay, segment: SegmentId, power: f64, hit: Option<&Hit>) {
-        self.balance.detected.add(power);
-        let Some(hit) = hit else { return };
-        let &TracedRay { source, ray, wavelength, .. } = ray;
-        let position = hit.position.unwrap_or(0.0);
-        self.landed.push((hit.body, ScreenHit { source, ray, wavelength, segment, position, power }));
-    }
+/// What a segment leaves on a screen, with the screen's body.
+#[inline]
+fn landing(
+    ray: &TracedRay,
+    segment: SegmentId,
+    ending: Ending,
+    power: f64,
+    hit: Option<&Hit>,
+) -> Option<(usize, ScreenHit)> {
+    let hit = hit.filter(|_| ending == Ending::Detected)?;
+    let &TracedRay { source, ray, wavelength, .. } = ray;
+    Some((hit.body, ScreenHit { source, ray, wavelength, segment, position: hit.position.unwrap_or(0.0), power }))
 }
