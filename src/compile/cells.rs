@@ -14,7 +14,7 @@ const MOST: usize = 12;
 /// finite area and holds no other boundary of its medium is a cell.
 pub(crate) fn cells(interfaces: &[Interface], boxes: &[Bounds], tree: &BoxTree) -> Cells {
     let groups = Groups::new(interfaces);
-    let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0], walls: Vec::new() };
+    let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], walls: Vec::new() };
     for sides in groups.in_order() {
         let walls = walls(sides);
         if walls.len() > MOST || !encloses(interfaces, sides, &walls, boxes, tree) {

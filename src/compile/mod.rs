@@ -10,6 +10,7 @@ mod intersect;
 mod leaders;
 mod lists;
 mod origin;
+mod outlook;
 mod region;
 mod runs;
 mod shapes;
@@ -28,7 +29,7 @@ use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, BoxTree, Curve, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
-use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, rounding};
+use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, Wall, rounding};
 
 /// So many interfaces are looked at one by one faster than a search finds them.
 const FEW: usize = 16;
@@ -94,6 +95,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         origin,
         near,
         cells,
+        walls: walls.iter().map(|wall| Wall::new(&wall.curve, near)).collect(),
         tree,
         dropped,
         media: media.list,
@@ -112,7 +114,10 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
 fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<BoxTree>, Cells) {
     let boxes: Vec<_> = interfaces.iter().map(|one| Bounds::from(&one.curve).grown(2.0 * near)).collect();
     let tree = BoxTree::new(&boxes);
-    let cells = cells::cells(interfaces, &boxes, &tree);
+    let mut cells = cells::cells(interfaces, &boxes, &tree);
+    for (place, left) in outlook::outward_sides(interfaces, near) {
+        cells.of_sides[place][usize::from(!left)] = Cells::NOTHING;
+    }
     ((interfaces.len() > FEW).then_some(tree), cells)
 }
 

@@ -107,7 +107,7 @@ pub(crate) fn refract_at(incidence: &Incidence, v: DVec2, n: DVec2, n_i: f64, n_
 
 /// k = n_i sin θ_i, signed as the sine, and what |k| still lacks: the cross product of `v` and `n` with what rounding took
 /// from it, over their lengths. With |v|² |n|² = 1 + e that divides by 1 + e/2 − e²/8.
-#[inline]
+#[inline(always)]
 fn along_boundary(v: DVec2, n: DVec2, n_i: f64) -> (f64, f64) {
     let (sine, sine_rest) = cross_parts(v, n);
     let e = excess_length(v) + excess_length(n);

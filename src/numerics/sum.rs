@@ -22,6 +22,7 @@ impl Sum {
     }
 
     /// Adds the terms of another sum.
+    #[inline]
     pub fn add_sum(&mut self, other: Self) {
         self.add(other.total);
         self.lost += other.lost;

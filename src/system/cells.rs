@@ -13,12 +13,20 @@ pub(crate) struct Cells {
 impl Cells {
     /// No cell: what a ray may meet there is not known to be little.
     pub(crate) const OPEN: u32 = u32::MAX;
+    /// The cell without walls: a ray meets nothing there.
+    pub(crate) const NOTHING: u32 = 0;
 
-    /// The interfaces around the cell that a ray runs into from what it stands on; `None` where that is no cell.
+    /// The cell that a ray runs into from what it stands on.
+    #[inline(always)]
+    pub(crate) fn of(&self, start: Start) -> u32 {
+        let Start::On { interface, left } = start else { return Self::OPEN };
+        self.of_sides[interface][usize::from(!left)]
+    }
+
+    /// The interfaces around a cell; `None` for what is no cell.
     #[inline]
-    pub(crate) fn around(&self, start: Start) -> Option<&[u32]> {
-        let Start::On { interface, left } = start else { return None };
-        let cell = self.of_sides[interface][usize::from(!left)] as usize;
+    pub(crate) fn walls(&self, cell: u32) -> Option<&[u32]> {
+        let cell = cell as usize;
         let (begin, end) = (*self.begins.get(cell)?, *self.begins.get(cell + 1)?);
         Some(&self.walls[begin as usize..end as usize])
     }

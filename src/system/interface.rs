@@ -34,6 +34,31 @@ pub struct Interface {
     pub body: usize,
 }
 
+/// What a search needs to see that a line passes an interface by.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wall {
+    pub(crate) a: DVec2,
+    pub(crate) b: DVec2,
+    /// A line passes by if both ends lie on one side of it and at least this far away: past the arc between them, and more
+    /// than rounding.
+    pub(crate) margin: f64,
+}
+
+impl Wall {
+    /// Distances below `near` are rounding.
+    pub(crate) fn new(curve: &Curve, near: f64) -> Self {
+        let sagitta = curve.midpoint().distance(0.5 * (curve.a + curve.b));
+        Self { a: curve.a, b: curve.b, margin: near + if curve.is_straight() { 0.0 } else { sagitta + near } }
+    }
+
+    /// Whether a line passes by.
+    #[inline(always)]
+    pub(crate) fn is_passed_by(&self, from: DVec2, direction: DVec2) -> bool {
+        let [a, b] = [self.a, self.b].map(|end| direction.perp_dot(end - from));
+        (a > self.margin && b > self.margin) || (a < -self.margin && b < -self.margin)
+    }
+}
+
 /// Distances below this are rounding: 64 ulp of the largest coordinate of any interface, relative to the origin or in the
 /// scene, since boundaries that coincide up to the rounding of their places are one.
 pub(crate) fn rounding<'a>(interfaces: impl IntoIterator<Item = &'a Interface>, origin: DVec2) -> f64 {

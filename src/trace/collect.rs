@@ -5,10 +5,11 @@ use rayon::prelude::*;
 use crate::light::Wavelength;
 use crate::system::OpticalSystem;
 use crate::trace::summary::RaySummary;
-use crate::trace::tracer::{Leg, Tracer};
+use crate::trace::tracer::{Leg, Record, Tracer};
 use crate::trace::{Segment, TracedRay, Visitor, Work};
 
 /// One ray at one line, followed: its branches if they were asked for, and what became of its light.
+#[derive(Clone)]
 pub(crate) struct Part {
     pub(crate) ray: TracedRay,
     pub(crate) summary: RaySummary,
@@ -30,9 +31,56 @@ pub(crate) fn visit_with<'a>(mut tracer: Tracer<'a>, plan: &'a Plan<'a>, visitor
         for (line, wavelength) in placed.lines.iter().enumerate() {
             let traced = plan.ray(source, ray, line);
             let indices = plan.indices(*wavelength);
-            let visit = |leg: &Leg| visitor.segment(&traced, leg.segment());
-            left -= tracer.follow(&placed.starts[ray], placed.power, indices, left, visit).followed;
+            let (mut show, mut work) = (Show { ray: &traced, visitor }, Work::default());
+            tracer.follow(&placed.starts[ray], placed.power, indices, left, &mut work, &mut show);
+            left -= work.followed;
         }
+    }
+}
+
+/// Hands segments to a visitor.
+struct Show<'a, V> {
+    ray: &'a TracedRay,
+    visitor: &'a mut V,
+}
+
+impl<V: Visitor> Record for Show<'_, V> {
+    #[inline(always)]
+    fn record(&mut self, leg: &Leg) {
+        self.visitor.segment(self.ray, leg.segment());
+    }
+}
+
+/// Counts what becomes of a ray's light, and tells how far it is.
+struct Count<'a> {
+    ray: &'a TracedRay,
+    summary: &'a mut RaySummary,
+    told: u64,
+    progress: &'a (dyn Fn(u64) + Sync),
+}
+
+impl Record for Count<'_> {
+    #[inline(always)]
+    fn record(&mut self, leg: &Leg) {
+        self.summary.count(self.ray, leg);
+        if self.summary.segments - self.told == ALONE {
+            self.told = self.summary.segments;
+            (self.progress)(ALONE);
+        }
+    }
+}
+
+/// Counts, and keeps the segments.
+struct Keep<'a, 'b> {
+    count: &'a mut Count<'b>,
+    segments: &'a mut Vec<Segment>,
+}
+
+impl Record for Keep<'_, '_> {
+    #[inline(always)]
+    fn record(&mut self, leg: &Leg) {
+        self.count.record(leg);
+        self.segments.push(leg.segment());
     }
 }
 
@@ -54,29 +102,32 @@ pub(crate) fn collect(
     let most = system.settings.max_segments;
     let (mut left, mut longest, mut next) = (most, 1, 0);
     let mut alone = Worker::new(system, &plan, keeps_tree, progress);
+    while next < plan.jobs() && left > 0 && most - left < ALONE {
+        alone.lines(next, left, |part| {
+            left -= part.followed();
+            longest = longest.max(part.followed());
+            keep(part);
+        });
+        next += 1;
+    }
     while next < plan.jobs() {
-        let is_begin = most - left < ALONE && left > 0;
-        let batch = if is_begin {
-            1
-        } else if left == 0 {
-            BATCH
-        } else {
-            (left / longest).clamp(number(rayon::current_num_threads()), BATCH)
-        };
+        let batch =
+            if left == 0 { BATCH } else { (left / longest).clamp(number(rayon::current_num_threads()), BATCH) };
         let end = plan.jobs().min(next + place(batch));
-        let lines: Vec<Vec<Part>> = if is_begin {
-            vec![alone.lines(next, left)]
-        } else {
-            let worker = || Worker::new(system, &plan, keeps_tree, progress);
-            (next..end).into_par_iter().map_init(worker, |worker, job| worker.lines(job, left)).collect()
+        let worker = || Worker::new(system, &plan, keeps_tree, progress);
+        let of_job = |worker: &mut Worker, job| {
+            let mut parts = Vec::with_capacity(1);
+            worker.lines(job, left, |part| parts.push(part));
+            parts
         };
+        let lines: Vec<Vec<Part>> = (next..end).into_par_iter().map_init(worker, of_job).collect();
         for (job, parts) in (next..).zip(lines) {
             for (line, mut part) in parts.into_iter().enumerate() {
-                longest = longest.max(part.work.followed);
-                if part.work.followed > left {
+                longest = longest.max(part.followed());
+                if part.followed() > left {
                     part = alone.line(job, line, left);
                 }
-                left -= part.work.followed;
+                left -= part.followed();
                 keep(part);
             }
         }
@@ -155,47 +206,62 @@ impl<'a> Worker<'a> {
         Self { plan, tracer: Tracer::new(system), keeps_tree, segments: Vec::new(), progress }
     }
 
-    /// A ray at all its lines. Light that depends on no index that changes with the wavelength is followed once.
-    fn lines(&mut self, job: usize, most: u64) -> Vec<Part> {
+    /// A ray at all its lines, with at most so many segments followed. Light that depends on no index that changes with the
+    /// wavelength is followed once.
+    fn lines(&mut self, job: usize, most: u64, mut keep: impl FnMut(Part)) {
         let (source, _) = self.plan.job(job);
         let lines = &self.plan.system.sources[source].lines;
-        let mut parts: Vec<Part> = Vec::with_capacity(lines.len());
+        let (mut left, mut first) = (most, None);
         for (line, wavelength) in lines.iter().enumerate() {
-            let part = match parts.first() {
-                Some(first) if !first.work.disperses => first.at(*wavelength),
-                _ => self.line(job, line, most),
+            let part = match &first {
+                Some(first) if Part::followed(first) <= left => first.at(*wavelength),
+                _ => self.line(job, line, left),
             };
-            parts.push(part);
+            left -= part.followed();
+            if line == 0 && lines.len() > 1 && !part.work.disperses {
+                first = Some(part.clone());
+            }
+            keep(part);
         }
-        parts
     }
 
     /// A ray at one of its lines, with at most so many segments followed.
     fn line(&mut self, job: usize, line: usize, most: u64) -> Part {
         let (source, number) = self.plan.job(job);
-        let mut ray = self.plan.ray(source, number, line);
-        let placed = &self.plan.system.sources[source];
-        let indices = self.plan.indices(placed.lines[line]);
-        let (mut summary, mut told) = (RaySummary::default(), 0);
-        let Self { tracer, keeps_tree, segments, progress, .. } = self;
-        segments.clear();
-        let work = tracer.follow(&placed.starts[number], placed.power, indices, most, |leg| {
-            summary.count(&ray, leg.id, leg.ending, leg.power(), leg.hit());
-            if *keeps_tree {
-                segments.push(leg.segment());
-            }
-            if summary.segments - told == ALONE {
-                told = summary.segments;
-                progress(ALONE);
-            }
-        });
-        progress(summary.segments - told);
-        ray.segments = segments.as_slice().to_vec();
-        Part { ray, summary, work }
+        let ray = self.plan.ray(source, number, line);
+        let mut part = Part { ray, summary: RaySummary::default(), work: Work::default() };
+        self.follow(&mut part, most);
+        part
+    }
+
+    /// Follows the ray of a part.
+    fn follow(&mut self, part: &mut Part, most: u64) {
+        let Part { ray, summary, work } = part;
+        let placed = &self.plan.system.sources[ray.source];
+        let indices = self.plan.indices(ray.wavelength);
+        let Self { tracer, segments, progress, .. } = self;
+        let start = &placed.starts[ray.ray];
+        let mut count = Count { ray, summary, told: 0, progress: *progress };
+        // Apart, so that no segment is made where none is kept.
+        if self.keeps_tree {
+            segments.clear();
+            let mut keep = Keep { count: &mut count, segments };
+            tracer.follow(start, placed.power, indices, most, work, &mut keep);
+        } else {
+            tracer.follow(start, placed.power, indices, most, work, &mut count);
+        }
+        progress(count.summary.segments - count.told);
+        if self.keeps_tree {
+            ray.segments = self.segments.as_slice().to_vec();
+        }
     }
 }
 
 impl Part {
+    fn followed(&self) -> u64 {
+        self.work.followed
+    }
+
     /// The same light at another wavelength, which changes nothing on its way.
     fn at(&self, wavelength: Wavelength) -> Self {
         let mut summary = self.summary.clone();

@@ -1,15 +1,25 @@
-//! What happens where a ray meets an interface: the hit as it is recorded, and the secondary rays that it spawns.
+//! What happens where a ray meets an interface: the secondary rays that it spawns, and the hit as it is recorded.
 
 use glam::DVec2;
 
 use crate::laws::{Incidence, Refraction, Shares, fresnel, reflect_at, refract_at, thin_lens};
 use crate::scene::SecondaryRays;
-use crate::system::{Action, Interface};
-use crate::trace::{Hit, Via};
+use crate::system::{Action, Interface, MediumId};
+use crate::trace::Hit;
 
 /// A ray's arrival at an interface.
+#[derive(Clone, Copy)]
 pub(crate) struct Arrival<'a> {
     pub(crate) interface: &'a Interface,
+    /// Its place in the system's list.
+    pub(crate) place: usize,
+    pub(crate) from_left: bool,
+    /// The incident medium.
+    pub(crate) medium: MediumId,
+    /// The medium behind.
+    pub(crate) behind: MediumId,
+    /// Σ n·length from the source.
+    pub(crate) optical_path: f64,
     /// Where it arrives, relative to the system's origin.
     pub(crate) at: DVec2,
     /// Unit direction V.
@@ -26,127 +36,124 @@ pub(crate) struct Arrival<'a> {
     pub(crate) near: f64,
 }
 
-/// A secondary ray: how it came about, and its unit direction.
-pub(crate) type Secondary = (Via, DVec2);
-
 /// What comes of an arrival.
 pub(crate) struct Outcome {
-    pub(crate) hit: Hit,
-    pub(crate) transmitted: Option<Secondary>,
-    pub(crate) reflected: Option<Secondary>,
+    pub(crate) shares: Shares,
+    pub(crate) transmitted: Option<Transmitted>,
+    /// Unit direction of the reflected ray.
+    pub(crate) reflected: Option<DVec2>,
+    /// Of total internal reflection, whether at the critical angle.
+    pub(crate) total: Option<bool>,
+}
+
+/// A transmitted ray.
+pub(crate) struct Transmitted {
+    pub(crate) direction: DVec2,
+    /// Cosine C2 of the angle of transmission.
+    pub(crate) cos: f64,
+    /// Its sine S2, signed.
+    pub(crate) sin: f64,
 }
 
 impl Arrival<'_> {
-    #[inline]
-    pub(crate) fn outcome(&self, secondary_rays: SecondaryRays) -> Outcome {
+    /// What a face between two media makes of it.
+    #[inline(always)]
+    pub(crate) fn refract(&self) -> Refraction {
+        refract_at(&self.incidence, self.direction, self.normal, self.n_i, self.n_t)
+    }
+
+    /// The outcome on a face that lets the light through.
+    #[inline(always)]
+    pub(crate) fn refracted(&self, transmitted: Transmitted, shares: Shares) -> Outcome {
+        Outcome { shares, transmitted: Some(transmitted), reflected: Some(self.reflect()), total: None }
+    }
+
+    /// The outcome past the critical angle, or at it.
+    #[inline(always)]
+    pub(crate) fn totally_reflected(&self, critical: bool, shares: Shares) -> Outcome {
+        Outcome { shares, transmitted: None, reflected: Some(self.reflect()), total: Some(critical) }
+    }
+
+    /// The outcome at an interface that is more than the face between two media.
+    #[inline(never)]
+    pub(crate) fn at_surface(self) -> Outcome {
+        let nothing = Outcome { shares: Shares::absorbed(), transmitted: None, reflected: None, total: None };
         match self.interface.action {
-            Action::Refract => self.refract(|refracted| shares(secondary_rays, refracted)),
-            Action::Split { reflect, transmit } => self.refract(|refracted| match refracted {
-                Some(_) => Shares::fixed(reflect, transmit),
-                None => Shares::fixed(reflect + transmit, 0.0),
-            }),
-            Action::Mirror => self.mirror(),
-            Action::Absorb => self.take(None),
-            Action::Detect { along, sense, perimeter } => self.take(Some(self.position(along, sense, perimeter))),
-            Action::ThinLens { center, focal_length } => self.thin_lens(center, focal_length),
+            Action::Refract | Action::Absorb | Action::Detect { .. } => nothing,
+            Action::Split { reflect, transmit } => match self.refract() {
+                Refraction::Refracted { direction, cos_t: cos, sin_t: sin, .. } => {
+                    self.refracted(Transmitted { direction, cos, sin }, Shares::fixed(reflect, transmit))
+                }
+                Refraction::TotalInternalReflection { critical, .. } => {
+                    self.totally_reflected(critical, Shares::fixed(reflect + transmit, 0.0))
+                }
+            },
+            Action::Mirror => Outcome { shares: Shares::total_reflection(), reflected: Some(self.reflect()), ..nothing },
+            Action::ThinLens { center, focal_length } => {
+                let transmitted = Some(self.thin_lens(center, focal_length));
+                Outcome { shares: Shares::transmitted_only(), transmitted, ..nothing }
+            }
         }
     }
 
-    /// A boundary that refracts: `share` gives the reflected and the transmitted fraction, for the refracted light or
-    /// past the critical angle.
-    #[inline]
-    fn refract(&self, share: impl Fn(Option<&Refracted>) -> Shares) -> Outcome {
-        let hit = |shares| Hit { n_t: Some(self.n_t), ..self.hit(shares) };
-        let reflected = reflect_at(&self.incidence, self.normal);
-        let (direction, refracted) = match refract_at(&self.incidence, self.direction, self.normal, self.n_i, self.n_t)
-        {
-            Refraction::Refracted { direction, cos_i, sin_i, cos_t, sin_t } => {
-                (direction, Refracted { n_i: self.n_i, n_t: self.n_t, cos_i, sin_i, cos_t, sin_t })
+    /// The shares of refracted light on the face between two media.
+    #[inline(always)]
+    pub(crate) fn shares(&self, secondary_rays: SecondaryRays, transmitted: &Transmitted) -> Shares {
+        let Incidence { cos: cos_i, sin: sin_i, .. } = self.incidence;
+        match secondary_rays {
+            SecondaryRays::Fresnel => {
+                Shares::fresnel(fresnel(self.n_i, self.n_t, cos_i, sin_i, transmitted.cos, transmitted.sin))
             }
-            // Total internal reflection: nothing is transmitted. At the critical angle itself T runs along the boundary.
-            Refraction::TotalInternalReflection { sin_i, critical, .. } => {
-                let (cos_t, sin_t) = (critical.then_some(0.0), critical.then_some(sin_i.signum()));
-                let hit = Hit { cos_t, sin_t, total_internal_reflection: true, ..hit(share(None)) };
-                return Outcome { hit, transmitted: None, reflected: Some((Via::TotalInternalReflection, reflected)) };
-            }
-        };
-        let (cos_t, sin_t) = (Some(refracted.cos_t), Some(refracted.sin_t));
-        Outcome {
-            hit: Hit { cos_t, sin_t, ..hit(share(Some(&refracted))) },
-            transmitted: Some((Via::Transmission, direction)),
-            reflected: Some((Via::Reflection, reflected)),
+            SecondaryRays::Fixed { kr, kt } => Shares::fixed(kr, kt),
+            SecondaryRays::TransmittedOnly => Shares::transmitted_only(),
         }
     }
 
-    fn mirror(&self) -> Outcome {
-        let reflected = Some((Via::Reflection, reflect_at(&self.incidence, self.normal)));
-        Outcome { hit: self.hit(Shares::total_reflection()), transmitted: None, reflected }
+    #[inline(always)]
+    fn reflect(&self) -> DVec2 {
+        reflect_at(&self.incidence, self.normal)
     }
 
-    /// An absorber, or a screen with the place where the light lands.
-    fn take(&self, position: Option<f64>) -> Outcome {
-        Outcome { hit: Hit { position, ..self.hit(Shares::absorbed()) }, transmitted: None, reflected: None }
-    }
-
-    /// Where on a screen the light lands. A closed screen ends where it begins: its first point is at 0.
-    fn position(&self, along: f64, sense: f64, perimeter: Option<f64>) -> f64 {
-        let position = along + sense * self.interface.curve.length_to(self.at);
-        if perimeter.is_some_and(|perimeter| position >= perimeter - self.near) { 0.0 } else { position }
-    }
-
-    fn thin_lens(&self, center: DVec2, focal_length: f64) -> Outcome {
+    fn thin_lens(&self, center: DVec2, focal_length: f64) -> Transmitted {
         let tangent = self.incidence.tangent;
         let height = (self.at - center).dot(tangent);
         let direction = thin_lens(self.direction, self.normal, height, focal_length, self.n_i, self.n_t);
-        let hit = Hit {
-            n_t: Some(self.n_t),
-            cos_t: Some(-self.normal.dot(direction)),
-            sin_t: Some(tangent.dot(direction)),
-            ..self.hit(Shares::transmitted_only())
-        };
-        Outcome { hit, transmitted: Some((Via::Transmission, direction)), reflected: None }
+        Transmitted { direction, cos: -self.normal.dot(direction), sin: tangent.dot(direction) }
     }
 
-    /// The hit with its shares, but without what only some interfaces have.
+    /// On a screen, where the light lands. A closed screen ends where it begins: its first point is at 0.
+    pub(crate) fn position(&self) -> Option<f64> {
+        let Action::Detect { along, sense, perimeter } = self.interface.action else { return None };
+        let position = along + sense * self.interface.curve.length_to(self.at);
+        let is_end = perimeter.is_some_and(|perimeter| position >= perimeter - self.near);
+        Some(if is_end { 0.0 } else { position })
+    }
+
+    /// What is recorded of it.
     #[inline]
-    fn hit(&self, shares: Shares) -> Hit {
+    pub(crate) fn hit(&self, outcome: &Outcome) -> Hit {
         let Incidence { cos: cos_i, sin: sin_i, .. } = self.incidence;
+        let is_opaque = matches!(self.interface.action, Action::Mirror | Action::Absorb | Action::Detect { .. });
+        let (cos_t, sin_t) = match (&outcome.transmitted, outcome.total) {
+            (Some(transmitted), _) => (Some(transmitted.cos), Some(transmitted.sin)),
+            // At the critical angle itself T runs along the boundary.
+            (None, Some(true)) => (Some(0.0), Some(sin_i.signum())),
+            (None, _) => (None, None),
+        };
         Hit {
             body: self.interface.body,
             normal: self.normal,
             n_i: self.n_i,
-            n_t: None,
+            n_t: (!is_opaque).then_some(self.n_t),
             cos_i,
             sin_i,
-            cos_t: None,
-            sin_t: None,
-            reflectance: shares.reflectance,
-            transmittance: shares.transmittance,
-            absorptance: shares.absorptance,
-            total_internal_reflection: false,
-            position: None,
+            cos_t,
+            sin_t,
+            reflectance: outcome.shares.reflectance,
+            transmittance: outcome.shares.transmittance,
+            absorptance: outcome.shares.absorptance,
+            total_internal_reflection: outcome.total.is_some(),
+            position: self.position(),
         }
-    }
-}
-
-/// Indices and angles of a refraction.
-struct Refracted {
-    n_i: f64,
-    n_t: f64,
-    cos_i: f64,
-    sin_i: f64,
-    cos_t: f64,
-    sin_t: f64,
-}
-
-/// The shares on the face between two media.
-#[inline]
-fn shares(secondary_rays: SecondaryRays, refracted: Option<&Refracted>) -> Shares {
-    match (secondary_rays, refracted) {
-        // Past the critical angle everything is reflected.
-        (_, None) => Shares::total_reflection(),
-        (SecondaryRays::Fresnel, Some(r)) => Shares::fresnel(fresnel(r.n_i, r.n_t, r.cos_i, r.sin_i, r.cos_t, r.sin_t)),
-        (SecondaryRays::Fixed { kr, kt }, Some(_)) => Shares::fixed(kr, kt),
-        (SecondaryRays::TransmittedOnly, Some(_)) => Shares::transmitted_only(),
     }
 }

@@ -6,7 +6,7 @@
 use glam::DVec2;
 
 use crate::geometry::{Curve, Waiting};
-use crate::system::{Interface, MediumId, OpticalSystem, Start};
+use crate::system::{Cells, Interface, MediumId, OpticalSystem, Start};
 use crate::trace::probe::{Met, Probe};
 
 /// A ray on its way.
@@ -38,7 +38,6 @@ pub struct Crossing {
 pub struct Search<'a> {
     system: &'a OpticalSystem,
     waiting: Waiting,
-    crossings: Vec<Crossing>,
     pub(crate) nodes: u64,
     /// Looks at every interface and counts behind every ray.
     #[cfg(test)]
@@ -64,7 +63,6 @@ impl<'a> Search<'a> {
         Self {
             system,
             waiting: Waiting::new(),
-            crossings: Vec::new(),
             nodes: 0,
             #[cfg(test)]
             skips_nothing: false,
@@ -77,41 +75,51 @@ impl<'a> Search<'a> {
     /// Nothing leaks: a line crosses the closed boundary of a medium as often into it as out of it. Where the ray starts on an
     /// interface beside that which it leaves, up to rounding, or finds no way out of a medium that has an end, the crossings
     /// behind it tell whether it starts inside, and what rounding has put on the wrong side of the start changes sides.
+    #[inline(always)]
     pub fn nearest(&mut self, ray: &Ray) -> Option<Crossing> {
-        let probe = Probe::new(self.system, ray);
-        let (mut first, mut reach, mut in_doubt) = (None, f64::INFINITY, false);
-        let mut others = std::mem::take(&mut self.crossings);
-        others.clear();
-        let mut look = |place| {
-            passages(&probe, place, |passage| {
-                in_doubt |= passage.is_in_doubt;
-                if passage.is_way_out() && passage.crossing.distance <= reach {
-                    reach = reach.min(passage.reach);
-                    others.extend(first.replace(passage.crossing));
-                }
-            });
-            reach
-        };
-        let cell = self.system.cells.around(ray.start);
-        match cell {
-            Some(cell) => {
-                for &place in cell {
-                    look(place as usize);
-                }
-            }
-            None => self.candidates(ray, 0.0, look),
-        }
-        let leaks = first.is_none() && (cell.is_some() || ray.medium != self.system.surroundings);
+        let cell = self.system.cells.of(ray.start);
         #[cfg(test)]
-        let in_doubt = in_doubt || self.skips_nothing;
-        if in_doubt || leaks {
-            first = self.by_count(&probe);
-        } else if !others.is_empty() {
-            others.extend(first);
-            first = first_of(&probe, &mut others, reach);
+        let cell = if self.skips_nothing { Cells::OPEN } else { cell };
+        if cell == Cells::NOTHING { None } else { self.first(ray, cell) }
+    }
+
+    fn first(&mut self, ray: &Ray, cell: u32) -> Option<Crossing> {
+        let probe = Probe::new(self.system, ray);
+        let cell = self.system.cells.walls(cell);
+        let mut first = First::NONE;
+        match cell {
+            Some(cell) => cell.iter().for_each(|&place| first.look(&probe, place as usize)),
+            None => self.candidates(ray, 0.0, |place| {
+                first.look(&probe, place);
+                first.reach
+            }),
         }
-        self.crossings = others;
-        first.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
+        let is_lost = first.crossing.is_none() && (cell.is_some() || ray.medium != self.system.surroundings);
+        let is_plain = !first.is_in_doubt && !is_lost && (first.crossing.is_none() || first.next > first.reach);
+        #[cfg(test)]
+        let is_plain = is_plain && !self.skips_nothing;
+        let crossing = if is_plain { first.crossing } else { self.with_care(&probe, first.is_in_doubt || is_lost, first.reach) };
+        crossing.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
+    }
+
+    /// The first crossing where the nearest is not known to be it: of those that the line has within `reach`, or, where it is
+    /// lost on which side of the start some lie, of all that it has.
+    #[cold]
+    #[inline(never)]
+    fn with_care(&mut self, probe: &Probe, is_lost: bool, reach: f64) -> Option<Crossing> {
+        #[cfg(test)]
+        let is_lost = is_lost || self.skips_nothing;
+        let mut all = Vec::new();
+        let (begin, end) = if is_lost { (f64::NEG_INFINITY, f64::INFINITY) } else { (0.0, reach) };
+        self.candidates(probe.ray, begin, |place| {
+            passages(probe, place, |passage| all.push(passage));
+            end
+        });
+        all.sort_by_key(|passage| passage.crossing.interface);
+        if is_lost {
+            put_right(probe, &mut all);
+        }
+        first_of(probe, all)
     }
 
     /// Visits interfaces of the whole system, at least all whose crossings are at a distance between `begin` and what `visit`
@@ -128,23 +136,61 @@ impl<'a> Search<'a> {
             }
         }
     }
+}
 
-    /// The first way out, once as many crossings have changed sides of the start as the count of those behind it misses.
-    #[cold]
-    fn by_count(&mut self, probe: &Probe) -> Option<Crossing> {
-        let mut all = Vec::new();
-        self.candidates(probe.ray, f64::NEG_INFINITY, |place| {
-            passages(probe, place, |passage| all.push(passage));
-            f64::INFINITY
-        });
-        all.sort_by_key(|passage| passage.crossing.interface);
-        first_by_count(probe, all)
+/// The nearest way out so far.
+struct First {
+    crossing: Option<Crossing>,
+    distance: f64,
+    /// No crossing that the ray passes before this one is farther, up to rounding.
+    reach: f64,
+    /// Distance of the nearest but one.
+    next: f64,
+    /// Whether some crossing may be on the other side of the start.
+    is_in_doubt: bool,
+}
+
+impl First {
+    const NONE: Self = Self {
+        crossing: None,
+        distance: f64::INFINITY,
+        reach: f64::INFINITY,
+        next: f64::INFINITY,
+        is_in_doubt: false,
+    };
+
+    #[inline(always)]
+    fn look(&mut self, probe: &Probe, place: usize) {
+        if !probe.passes_by(place) {
+            self.meet(probe, place);
+        }
+    }
+
+    #[inline(never)]
+    fn meet(&mut self, probe: &Probe, place: usize) {
+        passages(probe, place, |passage| self.take(&passage));
+    }
+
+    #[inline]
+    fn take(&mut self, passage: &Passage) {
+        self.is_in_doubt |= passage.is_in_doubt;
+        if !passage.is_way_out() {
+            return;
+        }
+        let distance = passage.crossing.distance;
+        self.reach = self.reach.min(passage.reach);
+        if distance < self.distance {
+            self.next = self.distance;
+            (self.distance, self.crossing) = (distance, Some(passage.crossing));
+        } else if distance < self.next {
+            self.next = distance;
+        }
     }
 }
 
-/// The first crossing out of the ray's medium, of all that its whole line has with the boundary of it: once as many have changed
-/// sides of the start as the count of those behind it misses, those first whose distances speak least against it.
-fn first_by_count(probe: &Probe, mut passages: Vec<Passage>) -> Option<Crossing> {
+/// Lets as many crossings change sides of the start as the count of those behind it misses, those first whose distances speak
+/// least against it.
+fn put_right(probe: &Probe, passages: &mut [Passage]) {
     let is_unbounded = probe.ray.medium == probe.system.surroundings;
     let behind: i32 = passages.iter().filter(|passage| !passage.is_ahead).map(|passage| passage.entry).sum();
     let has_way_out = passages.iter().any(Passage::is_way_out);
@@ -159,17 +205,15 @@ fn first_by_count(probe: &Probe, mut passages: Vec<Passage>) -> Option<Crossing>
             passage.is_ahead = !passage.is_ahead;
         }
     }
-    passages.retain(Passage::is_way_out);
-    let reach = passages.iter().map(|passage| passage.reach).fold(f64::INFINITY, f64::min);
-    first_of(probe, &mut passages.into_iter().map(|passage| passage.crossing).collect(), reach)
 }
 
-/// The crossing that the ray passes first. None that is farther than `reach` can be it.
-fn first_of(probe: &Probe, crossings: &mut Vec<Crossing>, reach: f64) -> Option<Crossing> {
-    crossings.retain(|crossing| crossing.distance <= reach);
-    crossings.sort_by_key(|crossing| crossing.interface);
+/// The way out that the ray passes first. None that is farther than the reach of any can be it.
+fn first_of(probe: &Probe, passages: Vec<Passage>) -> Option<Crossing> {
+    let ways_out = passages.iter().filter(|passage| passage.is_way_out());
+    let reach = ways_out.clone().map(|passage| passage.reach).fold(f64::INFINITY, f64::min);
+    let near = ways_out.map(|passage| passage.crossing).filter(|crossing| crossing.distance <= reach);
     let key = |crossing: &Crossing| (crossing.interface, crossing.distance);
-    crossings.drain(..).reduce(|best, one| if probe.is_before(key(&one), key(&best)) { one } else { best })
+    near.reduce(|best, one| if probe.is_before(key(&one), key(&best)) { one } else { best })
 }
 
 /// Visits every crossing of the ray's line with an interface, if that bounds the ray's medium.

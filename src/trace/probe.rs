@@ -35,6 +35,8 @@ pub(crate) struct Probe<'a> {
     pub(crate) ray: &'a Ray,
     /// The interface that the ray stands on, and whether it heads to its left.
     last: Option<(&'a Interface, bool)>,
+    /// Its place if it is an edge, which cannot be met again.
+    edge: usize,
     /// Distances below this are rounding.
     near: f64,
 }
@@ -42,10 +44,11 @@ pub(crate) struct Probe<'a> {
 impl<'a> Probe<'a> {
     pub(crate) fn new(system: &'a OpticalSystem, ray: &'a Ray) -> Self {
         let last = match ray.start {
-            Start::On { interface, left } => Some((&system.interfaces[interface], left)),
+            Start::On { interface, left } => Some((interface, &system.interfaces[interface], left)),
             Start::Free | Start::AtVertex(_) => None,
         };
-        Self { system, ray, last, near: system.near }
+        let edge = last.filter(|(_, last, _)| last.curve.is_straight()).map_or(usize::MAX, |(place, ..)| place);
+        Self { system, ray, last: last.map(|(_, last, left)| (last, left)), edge, near: system.near }
     }
 
     /// Whether the ray's line is in its medium just before the start, as 1 or 0: it is not where the ray leaves a boundary of
@@ -67,6 +70,12 @@ impl<'a> Probe<'a> {
         let p = [first.curve.a, first.curve.b][usize::from(first.ends[0] != corner)];
         let turn = side(p, u, v);
         if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
+    }
+
+    /// Whether the line surely does not cross the interface at a place, at least not again.
+    #[inline(always)]
+    pub(crate) fn passes_by(&self, place: usize) -> bool {
+        place == self.edge || self.system.walls[place].is_passed_by(self.ray.from, self.ray.direction)
     }
 
     /// Visits where the line crosses the interface at place `index`.
@@ -160,12 +169,7 @@ impl<'a> Probe<'a> {
         if is_sure && (a_side > 0.0) == (b_side > 0.0) {
             return None;
         }
-        let stands_on_it = match start {
-            Start::Free => false,
-            Start::On { interface, .. } => interface == index,
-            Start::AtVertex(vertex) => candidate.ends.contains(&vertex),
-        };
-        if stands_on_it {
+        if matches!(start, Start::AtVertex(vertex) if candidate.ends.contains(&vertex)) || index == self.edge {
             return None;
         }
         let (across, apart) = (n.dot(direction), n.dot(m - from));

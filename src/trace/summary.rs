@@ -1,7 +1,8 @@
 use crate::light::Wavelength;
 use crate::numerics::Sum;
 use crate::system::OpticalSystem;
-use crate::trace::{Ending, Hit, Segment, SegmentId, TracedRay, Visitor, Work};
+use crate::trace::tracer::Leg;
+use crate::trace::{Ending, Segment, SegmentId, TracedRay, Visitor, Work};
 
 /// What became of all the light: counts, powers and screens, without the tree.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,15 +78,18 @@ impl Visitor for Summary {
         let (power, hit) = (segment.power.total(), segment.hit.as_ref());
         self.rays += u64::from(segment.parent.is_none());
         self.segments += 1;
-        self.balance.count(segment.id, segment.ending, power, hit);
-        self.land(landing(ray, segment.id, segment.ending, power, hit));
+        self.balance.count(segment.id, segment.ending, power, hit.map_or(0.0, |hit| hit.absorptance));
+        if segment.ending == Ending::Detected {
+            let landed = hit.map(|hit| (hit.body, hit.position.unwrap_or(0.0)));
+            self.land(landed.map(|landed| landing(ray, segment.id, power, landed)));
+        }
     }
 }
 
 impl PowerBalance {
-    /// Counts a segment: its place in its ray, how it ended, the power it carried, and what it met.
-    #[inline]
-    fn count(&mut self, id: SegmentId, ending: Ending, power: f64, hit: Option<&Hit>) {
+    /// Counts a segment: its place in its ray, how it ended, the power it carried, and which fraction of it stayed at its hit.
+    #[inline(always)]
+    fn count(&mut self, id: SegmentId, ending: Ending, power: f64, absorptance: f64) {
         if id.0 == 0 {
             self.emitted.add(power);
         }
@@ -97,8 +101,8 @@ impl PowerBalance {
             Ending::Detected => self.detected.add(power),
             Ending::Absorbed => self.absorbed.add(power),
             Ending::Interface => {
-                if let Some(share) = hit.map(|hit| hit.absorptance).filter(|share| *share != 0.0) {
-                    self.absorbed.add(power * share);
+                if absorptance != 0.0 {
+                    self.absorbed.add(power * absorptance);
                 }
             }
         }
@@ -107,12 +111,19 @@ impl PowerBalance {
     /// Adds another balance.
     fn add(&mut self, other: &Self) {
         self.emitted.add_sum(other.emitted);
-        self.escaped.add_sum(other.escaped);
-        self.absorbed.add_sum(other.absorbed);
-        self.detected.add_sum(other.detected);
-        self.cut_min_power.add_sum(other.cut_min_power);
-        self.cut_max_depth.add_sum(other.cut_max_depth);
-        self.cut_max_segments.add_sum(other.cut_max_segments);
+        let sums = [
+            (&mut self.escaped, other.escaped),
+            (&mut self.absorbed, other.absorbed),
+            (&mut self.detected, other.detected),
+            (&mut self.cut_min_power, other.cut_min_power),
+            (&mut self.cut_max_depth, other.cut_max_depth),
+            (&mut self.cut_max_segments, other.cut_max_segments),
+        ];
+        for (sum, more) in sums {
+            if more != Sum::default() {
+                sum.add_sum(more);
+            }
+        }
     }
 
     /// Emitted power less all the others: 0 up to rounding.
@@ -137,10 +148,10 @@ impl Summary {
     }
 
     /// Adds what became of one ray.
-    pub(crate) fn add(&mut self, ray: RaySummary) {
+    pub(crate) fn add(&mut self, ray: &mut RaySummary) {
         self.segments += ray.segments;
         self.balance.add(&ray.balance);
-        self.land(ray.landed);
+        self.land(ray.landed.drain(..));
     }
 
     fn land(&mut self, landed: impl IntoIterator<Item = (usize, ScreenHit)>) {
@@ -153,25 +164,18 @@ impl Summary {
 }
 
 impl RaySummary {
-    /// Counts a segment: its place in its ray, how it ended, the power it carried, and what it met.
-    #[inline]
-    pub(crate) fn count(&mut self, ray: &TracedRay, id: SegmentId, ending: Ending, power: f64, hit: Option<&Hit>) {
+    #[inline(always)]
+    pub(crate) fn count(&mut self, ray: &TracedRay, leg: &Leg) {
         self.segments += 1;
-        self.balance.count(id, ending, power, hit);
-        self.landed.extend(landing(ray, id, ending, power, hit));
+        self.balance.count(leg.id, leg.ending, leg.power(), leg.absorptance());
+        if leg.ending == Ending::Detected {
+            self.landed.extend(leg.landed().map(|landed| landing(ray, leg.id, leg.power(), landed)));
+        }
     }
 }
 
-/// What a segment leaves on a screen, with the screen's body.
-#[inline]
-fn landing(
-    ray: &TracedRay,
-    segment: SegmentId,
-    ending: Ending,
-    power: f64,
-    hit: Option<&Hit>,
-) -> Option<(usize, ScreenHit)> {
-    let hit = hit.filter(|_| ending == Ending::Detected)?;
+/// What a segment leaves on a screen, with the screen's body: given that and the place on it.
+fn landing(ray: &TracedRay, segment: SegmentId, power: f64, (body, position): (usize, f64)) -> (usize, ScreenHit) {
     let &TracedRay { source, ray, wavelength, .. } = ray;
-    Some((hit.body, ScreenHit { source, ray, wavelength, segment, position: hit.position.unwrap_or(0.0), power }))
+    (body, ScreenHit { source, ray, wavelength, segment, position, power })
 }

@@ -3,15 +3,16 @@
 
 use glam::DVec2;
 
-use crate::laws::{Incidence, optical_path_length};
+use crate::laws::{Incidence, Refraction, Shares, optical_path_length};
 use crate::light::Power;
 use crate::scene::{SecondaryRays, TraceSettings};
 use crate::system::{Action, MediumId, OpticalSystem, RayStart, Start};
-use crate::trace::hit::{Arrival, Outcome, Secondary};
+use crate::trace::hit::{Arrival, Outcome, Transmitted};
 use crate::trace::nearest::beyond;
-use crate::trace::{Crossing, Ending, Hit, Ray, Search, Segment, SegmentId, Via, Work};
+use crate::trace::{Crossing, Ending, Ray, Search, Segment, SegmentId, Via, Work};
 
 /// A branch that waits to be followed; positions relative to the system's origin.
+#[derive(Clone, Copy)]
 struct Branch {
     parent: Option<SegmentId>,
     via: Via,
@@ -28,14 +29,12 @@ pub(crate) struct Leg<'a> {
     origin: DVec2,
     medium_index: f64,
     pub(crate) ending: Ending,
-    arrived: Option<Arrived>,
+    arrived: Option<(&'a Arrival<'a>, &'a Outcome)>,
 }
 
-/// Where a branch met an interface, and what happened there.
-struct Arrived {
-    at: DVec2,
-    optical_path: f64,
-    hit: Hit,
+/// Takes note of branches.
+pub(crate) trait Record {
+    fn record(&mut self, leg: &Leg);
 }
 
 impl Leg<'_> {
@@ -43,15 +42,24 @@ impl Leg<'_> {
         self.branch.power.total()
     }
 
-    pub(crate) fn hit(&self) -> Option<&Hit> {
-        self.arrived.as_ref().map(|arrived| &arrived.hit)
+    /// Fraction of the power that stays at the hit; 0 without one.
+    pub(crate) fn absorptance(&self) -> f64 {
+        self.arrived.map_or(0.0, |(_, outcome)| outcome.shares.absorptance)
+    }
+
+    /// The body of the screen on which it landed, and where on it.
+    pub(crate) fn landed(&self) -> Option<(usize, f64)> {
+        let (arrival, _) = self.arrived.filter(|_| self.ending == Ending::Detected)?;
+        Some((arrival.interface.body, arrival.position()?))
     }
 
     #[inline]
     pub(crate) fn segment(&self) -> Segment {
         let Branch { parent, via, ray, power, optical_path, .. } = self.branch;
-        let (to, optical_path, hit) = match &self.arrived {
-            Some(arrived) => (Some(arrived.at + self.origin), arrived.optical_path, Some(arrived.hit)),
+        let (to, optical_path, hit) = match self.arrived {
+            Some((arrival, outcome)) => {
+                (Some(arrival.at + self.origin), arrival.optical_path, Some(arrival.hit(outcome)))
+            }
             None => (None, *optical_path, None),
         };
         Segment {
@@ -105,15 +113,16 @@ impl<'a> Tracer<'a> {
     }
 
     /// Follows a ray at a line to the end of all its branches, at most `most` segments, transmitted before reflected. `indices`
-    /// holds the index of every medium at that line. Returns what that took.
+    /// holds the index of every medium at that line. `work` tells what that took.
     pub(crate) fn follow(
         &mut self,
         start: &RayStart,
         power: Power,
         indices: &'a [f64],
         most: u64,
-        mut visit: impl FnMut(&Leg),
-    ) -> Work {
+        work: &mut Work,
+        record: &mut impl Record,
+    ) {
         self.indices = indices;
         self.segments_left = most;
         let RayStart { from, direction, medium, start } = *start;
@@ -128,36 +137,41 @@ impl<'a> Tracer<'a> {
         });
         let started_with = power.total();
         let mut next = 0;
-        while let Some(mut branch) = self.waiting.pop() {
-            let id = SegmentId(next);
-            let (ending, arrived) = self.step(id, &mut branch, started_with);
+        while let Some(&branch) = self.waiting.last() {
+            self.waiting.pop();
+            self.step(SegmentId(next), &branch, started_with, record);
             next += 1;
-            self.work.ended[ending as usize] += 1;
-            let medium_index = self.index(branch.ray.medium);
-            visit(&Leg { id, branch: &branch, origin: self.system.origin, medium_index, ending, arrived });
         }
         self.work.followed = most - self.segments_left;
         self.work.nodes = std::mem::take(&mut self.search.nodes);
-        std::mem::take(&mut self.work)
+        *work = std::mem::take(&mut self.work);
     }
 
     /// Follows one branch to its end and queues what it spawns, the reflected ray first so that the transmitted one is
     /// followed first.
-    #[inline]
-    fn step(&mut self, id: SegmentId, branch: &mut Branch, started_with: f64) -> (Ending, Option<Arrived>) {
+    #[inline(always)]
+    fn step(&mut self, id: SegmentId, branch: &Branch, started_with: f64, record: &mut impl Record) {
+        let mut medium = branch.ray.medium;
         if let Some(ending) = self.cut(branch, started_with) {
-            return (ending, None);
+            return self.end(record, id, branch, medium, ending);
         }
         self.segments_left -= 1;
         let mut crossing = self.search.nearest(&branch.ray);
-        let is_outside = branch.ray.medium == self.system.surroundings;
-        if branch.parent.is_none() && crossing.is_none() && !is_outside {
-            (branch.ray.medium, crossing) = self.meet_beyond(&branch.ray);
+        if branch.parent.is_none() && crossing.is_none() && medium != self.system.surroundings {
+            (medium, crossing) = self.meet_beyond(&branch.ray);
         }
         match crossing {
-            Some(crossing) => self.arrive(id, branch, &crossing),
-            None => (Ending::Escaped, None),
+            Some(crossing) => self.arrive(record, id, branch, medium, &crossing),
+            None => self.end(record, id, branch, medium, Ending::Escaped),
         }
+    }
+
+    /// Records a branch that meets nothing.
+    #[inline(always)]
+    fn end(&mut self, record: &mut impl Record, id: SegmentId, branch: &Branch, medium: MediumId, ending: Ending) {
+        self.work.ended[ending as usize] += 1;
+        let medium_index = self.index(medium);
+        record.record(&Leg { id, branch, origin: self.system.origin, medium_index, ending, arrived: None });
     }
 
     /// The medium that a source's ray runs in whose line misses the one it was found in, and what it meets there. Such a ray
@@ -189,40 +203,91 @@ impl<'a> Tracer<'a> {
         self.work.disperses |= self.system.media[medium.place()].is_dispersive();
     }
 
-    #[inline]
-    fn arrive(&mut self, id: SegmentId, branch: &Branch, crossing: &Crossing) -> (Ending, Option<Arrived>) {
+    #[inline(always)]
+    fn arrive(
+        &mut self,
+        record: &mut impl Record,
+        id: SegmentId,
+        branch: &Branch,
+        medium: MediumId,
+        crossing: &Crossing,
+    ) {
         let interface = &self.system.interfaces[crossing.interface];
-        let Branch { ray, power, .. } = branch;
+        let Ray { from, direction, .. } = branch.ray;
         // The rounded point is put back on its curve, between its ends.
-        let at = interface.curve.clamp(interface.curve.project(ray.from + crossing.distance * ray.direction));
+        let at = interface.curve.clamp(interface.curve.project(from + crossing.distance * direction));
         let left_normal = interface.curve.normal_at(at);
         let (normal, behind) =
             if crossing.from_left { (left_normal, interface.right) } else { (-left_normal, interface.left) };
         self.meet_medium(behind);
-        let (n_i, n_t) = (self.index(ray.medium), self.index(behind));
-        let incidence = Incidence::new(ray.direction, normal);
-        let Outcome { hit, transmitted, reflected } =
-            Arrival { interface, at, direction: ray.direction, normal, incidence, n_i, n_t, near: self.system.near }
-                .outcome(self.settings.secondary_rays);
-        let by_fresnel = interface.action == Action::Refract && self.settings.secondary_rays == SecondaryRays::Fresnel;
-        self.work.fresnel += u64::from(by_fresnel && transmitted.is_some());
-        let optical_path = branch.optical_path + optical_path_length(n_i, ray.from.distance(at));
-        let mut spawn = |secondary: Option<Secondary>, share: Power, medium: MediumId, left: bool| {
-            let power = power.times(share);
-            let Some((via, direction)) = secondary.filter(|_| power.total() > 0.0) else { return false };
-            let start = Start::On { interface: crossing.interface, left };
-            let ray = Ray { from: at, direction, medium, start };
-            let hits_behind = branch.hits_behind + 1;
-            self.waiting.push(Branch { parent: Some(id), via, ray, power, optical_path, hits_behind });
-            true
+        let (n_i, n_t) = (self.index(medium), self.index(behind));
+        let arrival = Arrival {
+            interface,
+            place: crossing.interface,
+            from_left: crossing.from_left,
+            medium,
+            behind,
+            optical_path: branch.optical_path + optical_path_length(n_i, from.distance(at)),
+            at,
+            direction,
+            normal,
+            incidence: Incidence::new(direction, normal),
+            n_i,
+            n_t,
+            near: self.system.near,
         };
-        let reflected = spawn(reflected, hit.reflectance, ray.medium, crossing.from_left);
-        let transmitted = spawn(transmitted, hit.transmittance, behind, !crossing.from_left);
-        let ending = match (reflected || transmitted, hit.position) {
-            (true, _) => Ending::Interface,
-            (false, Some(_)) => Ending::Detected,
-            (false, None) => Ending::Absorbed,
+        if interface.action != Action::Refract {
+            return self.part(record, id, branch, &arrival, &arrival.at_surface());
+        }
+        match arrival.refract() {
+            Refraction::Refracted { direction, cos_t: cos, sin_t: sin, .. } => {
+                let transmitted = Transmitted { direction, cos, sin };
+                let shares = arrival.shares(self.settings.secondary_rays, &transmitted);
+                self.work.fresnel += u64::from(self.settings.secondary_rays == SecondaryRays::Fresnel);
+                self.part(record, id, branch, &arrival, &arrival.refracted(transmitted, shares));
+            }
+            Refraction::TotalInternalReflection { critical, .. } => {
+                let outcome = arrival.totally_reflected(critical, Shares::total_reflection());
+                self.part(record, id, branch, &arrival, &outcome);
+            }
+        }
+    }
+
+    /// Queues what an arrival spawns, and records the branch.
+    #[inline(always)]
+    fn part(&mut self, record: &mut impl Record, id: SegmentId, branch: &Branch, arrival: &Arrival, outcome: &Outcome) {
+        let Arrival { place, from_left, medium, behind, at, optical_path, .. } = *arrival;
+        let Outcome { shares, transmitted, reflected, total } = outcome;
+        let child = |via: Via, share: Power, direction: DVec2, medium: MediumId, left: bool| {
+            let ray = Ray { from: at, direction, medium, start: Start::On { interface: place, left } };
+            let (power, hits_behind) = (branch.power.times(share), branch.hits_behind + 1);
+            Branch { parent: Some(id), via, ray, power, optical_path, hits_behind }
         };
-        (ending, Some(Arrived { at, optical_path, hit }))
+        let mut spawns = false;
+        if let Some(direction) = *reflected {
+            let via = if total.is_some() { Via::TotalInternalReflection } else { Via::Reflection };
+            spawns |= self.queue(child(via, shares.reflectance, direction, medium, from_left));
+        }
+        if let Some(Transmitted { direction, .. }) = *transmitted {
+            spawns |= self.queue(child(Via::Transmission, shares.transmittance, direction, behind, !from_left));
+        }
+        let ending = match arrival.interface.action {
+            _ if spawns => Ending::Interface,
+            Action::Detect { .. } => Ending::Detected,
+            _ => Ending::Absorbed,
+        };
+        self.work.ended[ending as usize] += 1;
+        let (origin, medium_index) = (self.system.origin, arrival.n_i);
+        record.record(&Leg { id, branch, origin, medium_index, ending, arrived: Some((arrival, outcome)) });
+    }
+
+    /// Has a branch followed later, if it carries anything.
+    #[inline(always)]
+    fn queue(&mut self, branch: Branch) -> bool {
+        let carries = branch.power.total() > 0.0;
+        if carries {
+            self.waiting.push(branch);
+        }
+        carries
     }
 }
