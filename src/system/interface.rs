@@ -34,6 +34,14 @@ pub struct Interface {
     pub body: usize,
 }
 
+impl Interface {
+    /// Whether a medium lies on one of its sides.
+    #[inline(always)]
+    pub(crate) fn bounds(&self, medium: MediumId) -> bool {
+        self.left == medium || self.right == medium
+    }
+}
+
 /// What a search needs to see that a line passes an interface by.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wall {
@@ -51,10 +59,15 @@ impl Wall {
         Self { a: curve.a, b: curve.b, margin: near + if curve.is_straight() { 0.0 } else { sagitta + near } }
     }
 
-    /// Whether a line passes by.
+    /// How far to the left of a line the two ends lie.
     #[inline(always)]
-    pub(crate) fn is_passed_by(&self, from: DVec2, direction: DVec2) -> bool {
-        let [a, b] = [self.a, self.b].map(|end| direction.perp_dot(end - from));
+    pub(crate) fn sides(&self, from: DVec2, direction: DVec2) -> [f64; 2] {
+        [self.a, self.b].map(|end| direction.perp_dot(end - from))
+    }
+
+    /// Whether a line with these sides passes by.
+    #[inline(always)]
+    pub(crate) fn is_passed_by(&self, [a, b]: [f64; 2]) -> bool {
         (a > self.margin && b > self.margin) || (a < -self.margin && b < -self.margin)
     }
 }

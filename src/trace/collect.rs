@@ -96,17 +96,17 @@ pub(crate) fn collect(
     system: &OpticalSystem,
     keeps_tree: bool,
     progress: &(dyn Fn(u64) + Sync),
-    mut keep: impl FnMut(Part),
+    mut keep: impl FnMut(&mut Part),
 ) {
     let plan = Plan::new(system);
     let most = system.settings.max_segments;
     let (mut left, mut longest, mut next) = (most, 1, 0);
     let mut alone = Worker::new(system, &plan, keeps_tree, progress);
     while next < plan.jobs() && left > 0 && most - left < ALONE {
-        alone.lines(next, left, |part| {
+        alone.lines(next, left, |mut part| {
             left -= part.followed();
             longest = longest.max(part.followed());
-            keep(part);
+            keep(&mut part);
         });
         next += 1;
     }
@@ -120,12 +120,12 @@ pub(crate) fn collect(
             worker.lines(job, left, |part| parts.push(part));
             parts
         };
-        let lines: Vec<Vec<Part>> = (next..end).into_par_iter().map_init(worker, of_job).collect();
-        for (job, parts) in (next..).zip(lines) {
-            for (line, mut part) in parts.into_iter().enumerate() {
+        let mut lines: Vec<Vec<Part>> = (next..end).into_par_iter().map_init(worker, of_job).collect();
+        for (job, parts) in (next..).zip(&mut lines) {
+            for (line, part) in parts.iter_mut().enumerate() {
                 longest = longest.max(part.followed());
                 if part.followed() > left {
-                    part = alone.line(job, line, left);
+                    *part = alone.line(job, line, left);
                 }
                 left -= part.followed();
                 keep(part);

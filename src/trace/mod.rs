@@ -69,12 +69,13 @@ pub fn summarize_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)
 
 fn gather(system: &OpticalSystem, mut tree: Option<&mut RayTree>, progress: &(dyn Fn(u64) + Sync)) -> Summary {
     let mut summary = Summary::new(system);
-    collect(system, tree.is_some(), progress, |mut part| {
+    collect(system, tree.is_some(), progress, |part| {
         summary.rays += 1;
         summary.work.add(&part.work);
         summary.add(&mut part.summary);
         if let Some(tree) = &mut tree {
-            tree.rays.push(part.ray);
+            let segments = std::mem::take(&mut part.ray.segments);
+            tree.rays.push(TracedRay { segments, ..part.ray });
         }
     });
     summary

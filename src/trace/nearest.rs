@@ -83,43 +83,56 @@ impl<'a> Search<'a> {
         if cell == Cells::NOTHING { None } else { self.first(ray, cell) }
     }
 
+    #[inline(always)]
     fn first(&mut self, ray: &Ray, cell: u32) -> Option<Crossing> {
-        let probe = Probe::new(self.system, ray);
+        let probe = Probe::new(self.system, *ray);
         let cell = self.system.cells.walls(cell);
         let mut first = First::NONE;
         match cell {
-            Some(cell) => cell.iter().for_each(|&place| first.look(&probe, place as usize)),
-            None => self.candidates(ray, 0.0, |place| {
-                first.look(&probe, place);
-                first.reach
-            }),
+            Some(cell) => {
+                for &place in cell {
+                    first.look(&probe, place as usize);
+                }
+            }
+            None => first = self.look_everywhere(probe),
         }
         let is_lost = first.crossing.is_none() && (cell.is_some() || ray.medium != self.system.surroundings);
         let is_plain = !first.is_in_doubt && !is_lost && (first.crossing.is_none() || first.next > first.reach);
         #[cfg(test)]
         let is_plain = is_plain && !self.skips_nothing;
-        let crossing = if is_plain { first.crossing } else { self.with_care(&probe, first.is_in_doubt || is_lost, first.reach) };
+        let crossing = if is_plain { first.crossing } else { self.with_care(probe, first.is_in_doubt || is_lost, first.reach) };
         crossing.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
+    }
+
+    /// Apart, since it takes more of the processor than a look at a cell.
+    #[inline(never)]
+    fn look_everywhere(&mut self, probe: Probe) -> First {
+        let mut first = First::NONE;
+        self.candidates(&probe.ray, 0.0, |place| {
+            first.look(&probe, place);
+            first.reach
+        });
+        first
     }
 
     /// The first crossing where the nearest is not known to be it: of those that the line has within `reach`, or, where it is
     /// lost on which side of the start some lie, of all that it has.
     #[cold]
     #[inline(never)]
-    fn with_care(&mut self, probe: &Probe, is_lost: bool, reach: f64) -> Option<Crossing> {
+    fn with_care(&mut self, probe: Probe, is_lost: bool, reach: f64) -> Option<Crossing> {
         #[cfg(test)]
         let is_lost = is_lost || self.skips_nothing;
         let mut all = Vec::new();
         let (begin, end) = if is_lost { (f64::NEG_INFINITY, f64::INFINITY) } else { (0.0, reach) };
-        self.candidates(probe.ray, begin, |place| {
-            passages(probe, place, |passage| all.push(passage));
+        self.candidates(&probe.ray, begin, |place| {
+            passages(&probe, place, |passage| all.push(passage));
             end
         });
         all.sort_by_key(|passage| passage.crossing.interface);
         if is_lost {
-            put_right(probe, &mut all);
+            put_right(&probe, &mut all);
         }
-        first_of(probe, all)
+        first_of(&probe, all)
     }
 
     /// Visits interfaces of the whole system, at least all whose crossings are at a distance between `begin` and what `visit`
@@ -139,6 +152,7 @@ impl<'a> Search<'a> {
 }
 
 /// The nearest way out so far.
+#[derive(Clone, Copy)]
 struct First {
     crossing: Option<Crossing>,
     distance: f64,
@@ -161,8 +175,24 @@ impl First {
 
     #[inline(always)]
     fn look(&mut self, probe: &Probe, place: usize) {
-        if !probe.passes_by(place) {
-            self.meet(probe, place);
+        let (wall, Ray { from, direction, medium, .. }) = (&probe.system.walls[place], probe.ray);
+        let sides = wall.sides(from, direction);
+        if wall.is_passed_by(sides) || place == probe.edge {
+            return;
+        }
+        let interface = &probe.system.interfaces[place];
+        if !interface.bounds(medium) {
+            return;
+        }
+        let met = if interface.curve.is_straight() { probe.plain_edge(interface, sides) } else { None };
+        match met {
+            Some(met) => self.take(&Passage::new(medium, place, interface, met)),
+            None => {
+                // Copies, so that these need not be in memory before.
+                let (probe, mut found) = (*probe, *self);
+                found.meet(&probe, place);
+                *self = found;
+            }
         }
     }
 
@@ -171,7 +201,7 @@ impl First {
         passages(probe, place, |passage| self.take(&passage));
     }
 
-    #[inline]
+    #[inline(always)]
     fn take(&mut self, passage: &Passage) {
         self.is_in_doubt |= passage.is_in_doubt;
         if !passage.is_way_out() {
@@ -220,15 +250,15 @@ fn first_of(probe: &Probe, passages: Vec<Passage>) -> Option<Crossing> {
 #[inline(always)]
 fn passages(probe: &Probe, place: usize, mut visit: impl FnMut(Passage)) {
     let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
-    let is_boundary = || interface.left == medium || interface.right == medium;
-    // An edge that is not met is no boundary to look at.
-    if !interface.curve.is_straight() && !is_boundary() {
-        return;
+    if interface.bounds(medium) {
+        probe.crossings(place, interface, |met| visit(Passage::new(medium, place, interface, met)));
     }
-    probe.crossings(place, interface, |Met { distance, slack, from_left, is_ahead, is_in_doubt }| {
-        if !is_boundary() {
-            return;
-        }
+}
+
+impl Passage {
+    #[inline(always)]
+    fn new(medium: MediumId, place: usize, interface: &Interface, met: Met) -> Self {
+        let Met { distance, slack, from_left, is_ahead, is_in_doubt } = met;
         let from = if from_left { interface.left } else { interface.right };
         let entry = match (interface.left == interface.right, from == medium) {
             (true, _) => 0,
@@ -236,11 +266,9 @@ fn passages(probe: &Probe, place: usize, mut visit: impl FnMut(Passage)) {
             (false, false) => 1,
         };
         let crossing = Crossing { interface: place, distance, from_left };
-        visit(Passage { crossing, reach: distance + slack, is_ahead, is_in_doubt, entry });
-    });
-}
+        Self { crossing, reach: distance + slack, is_ahead, is_in_doubt, entry }
+    }
 
-impl Passage {
     /// Whether it lies ahead and does not lead into the ray's medium from outside.
     fn is_way_out(&self) -> bool {
         self.is_ahead && self.entry <= 0

@@ -30,19 +30,21 @@ pub(crate) struct Met {
 }
 
 /// A ray among the interfaces of a system.
+#[derive(Clone, Copy)]
 pub(crate) struct Probe<'a> {
     pub(crate) system: &'a OpticalSystem,
-    pub(crate) ray: &'a Ray,
+    pub(crate) ray: Ray,
     /// The interface that the ray stands on, and whether it heads to its left.
     last: Option<(&'a Interface, bool)>,
     /// Its place if it is an edge, which cannot be met again.
-    edge: usize,
+    pub(crate) edge: usize,
     /// Distances below this are rounding.
     near: f64,
 }
 
 impl<'a> Probe<'a> {
-    pub(crate) fn new(system: &'a OpticalSystem, ray: &'a Ray) -> Self {
+    #[inline(always)]
+    pub(crate) fn new(system: &'a OpticalSystem, ray: Ray) -> Self {
         let last = match ray.start {
             Start::On { interface, left } => Some((interface, &system.interfaces[interface], left)),
             Start::Free | Start::AtVertex(_) => None,
@@ -70,12 +72,6 @@ impl<'a> Probe<'a> {
         let p = [first.curve.a, first.curve.b][usize::from(first.ends[0] != corner)];
         let turn = side(p, u, v);
         if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
-    }
-
-    /// Whether the line surely does not cross the interface at a place, at least not again.
-    #[inline(always)]
-    pub(crate) fn passes_by(&self, place: usize) -> bool {
-        place == self.edge || self.system.walls[place].is_passed_by(self.ray.from, self.ray.direction)
     }
 
     /// Visits where the line crosses the interface at place `index`.
@@ -162,19 +158,26 @@ impl<'a> Probe<'a> {
     /// The crossing of an edge: not of one that the ray stands on.
     #[inline(always)]
     fn edge(&self, index: usize, candidate: &Interface) -> Option<Met> {
-        let Ray { from, direction, start, .. } = *self.ray;
-        let Curve { a, b, m, n, .. } = candidate.curve;
-        let [a_side, b_side] = [a, b].map(|p| direction.perp_dot(p - from));
-        let is_sure = a_side.abs() > self.near && b_side.abs() > self.near;
-        if is_sure && (a_side > 0.0) == (b_side > 0.0) {
+        let Ray { from, direction, start, .. } = self.ray;
+        let sides = [candidate.curve.a, candidate.curve.b].map(|p| direction.perp_dot(p - from));
+        let is_sure = sides.iter().all(|side| side.abs() > self.near);
+        if is_sure && (sides[0] > 0.0) == (sides[1] > 0.0) {
             return None;
         }
         if matches!(start, Start::AtVertex(vertex) if candidate.ends.contains(&vertex)) || index == self.edge {
             return None;
         }
-        let (across, apart) = (n.dot(direction), n.dot(m - from));
+        self.plain_edge(candidate, sides).or_else(|| self.edge_with_care(candidate))
+    }
+
+    /// The crossing of an edge whose ends lie on these sides, but `None` if it takes care.
+    #[inline(always)]
+    pub(crate) fn plain_edge(&self, candidate: &Interface, [a_side, b_side]: [f64; 2]) -> Option<Met> {
+        let Curve { m, n, .. } = candidate.curve;
+        let (across, apart) = (n.dot(self.ray.direction), n.dot(m - self.ray.from));
+        let is_sure = a_side.abs() > self.near && b_side.abs() > self.near;
         if !is_sure || across.abs() < GRAZING || apart.abs() <= self.near {
-            return self.edge_with_care(candidate, across, apart);
+            return None;
         }
         let from_left = b_side > 0.0;
         // Ahead if the ray starts on the side that it comes from.
@@ -184,7 +187,9 @@ impl<'a> Probe<'a> {
 
     /// The crossing of an edge that is met at a small angle, or touched at an end, or on whose line the ray starts.
     #[cold]
-    fn edge_with_care(&self, candidate: &Interface, across: f64, apart: f64) -> Option<Met> {
+    fn edge_with_care(&self, candidate: &Interface) -> Option<Met> {
+        let Curve { m, n, .. } = candidate.curve;
+        let (across, apart) = (n.dot(self.ray.direction), n.dot(m - self.ray.from));
         let from_left = self.passes_from_left(candidate)?;
         let [a, b] = [candidate.curve.a, candidate.curve.b].map(|p| (p - self.ray.from).dot(self.ray.direction));
         let (begin, end) = (a.min(b), a.max(b));

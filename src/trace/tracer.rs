@@ -127,42 +127,52 @@ impl<'a> Tracer<'a> {
         self.segments_left = most;
         let RayStart { from, direction, medium, start } = *start;
         self.meet_medium(medium);
-        self.waiting.push(Branch {
+        let mut branch = Branch {
             parent: None,
             via: Via::Source,
             ray: Ray { from, direction, medium, start },
             power,
             optical_path: 0.0,
             hits_behind: 0,
-        });
+        };
         let started_with = power.total();
-        let mut next = 0;
-        while let Some(&branch) = self.waiting.last() {
+        let mut id = 0;
+        loop {
+            let next = self.step(SegmentId(id), &branch, started_with, record);
+            id += 1;
+            if let Some(next) = next {
+                branch = next;
+                continue;
+            }
+            let Some(&waiting) = self.waiting.last() else { break };
             self.waiting.pop();
-            self.step(SegmentId(next), &branch, started_with, record);
-            next += 1;
+            branch = waiting;
         }
         self.work.followed = most - self.segments_left;
         self.work.nodes = std::mem::take(&mut self.search.nodes);
         *work = std::mem::take(&mut self.work);
     }
 
-    /// Follows one branch to its end and queues what it spawns, the reflected ray first so that the transmitted one is
-    /// followed first.
+    /// Follows one branch to its end. Of what it spawns it returns the transmitted ray, to be followed next, and queues the
+    /// reflected one.
     #[inline(always)]
-    fn step(&mut self, id: SegmentId, branch: &Branch, started_with: f64, record: &mut impl Record) {
+    fn step(&mut self, id: SegmentId, branch: &Branch, started_with: f64, record: &mut impl Record) -> Option<Branch> {
         let mut medium = branch.ray.medium;
         if let Some(ending) = self.cut(branch, started_with) {
-            return self.end(record, id, branch, medium, ending);
+            self.end(record, id, branch, medium, ending);
+            return None;
         }
         self.segments_left -= 1;
         let mut crossing = self.search.nearest(&branch.ray);
         if branch.parent.is_none() && crossing.is_none() && medium != self.system.surroundings {
-            (medium, crossing) = self.meet_beyond(&branch.ray);
+            (medium, crossing) = self.meet_beyond(branch.ray);
         }
         match crossing {
             Some(crossing) => self.arrive(record, id, branch, medium, &crossing),
-            None => self.end(record, id, branch, medium, Ending::Escaped),
+            None => {
+                self.end(record, id, branch, medium, Ending::Escaped);
+                None
+            }
         }
     }
 
@@ -176,11 +186,13 @@ impl<'a> Tracer<'a> {
 
     /// The medium that a source's ray runs in whose line misses the one it was found in, and what it meets there. Such a ray
     /// starts beside a boundary up to rounding: it runs in what lies beyond the nearest one, or else in the surroundings.
-    fn meet_beyond(&mut self, ray: &Ray) -> (MediumId, Option<Crossing>) {
+    #[cold]
+    #[inline(never)]
+    fn meet_beyond(&mut self, ray: Ray) -> (MediumId, Option<Crossing>) {
         let outside = self.system.surroundings;
-        let media = [beyond(&self.system.interfaces, ray), outside];
+        let media = [beyond(&self.system.interfaces, &ray), outside];
         media.iter().for_each(|medium| self.meet_medium(*medium));
-        let mut meet = |medium: MediumId| Some((medium, Some(self.search.nearest(&Ray { medium, ..*ray })?)));
+        let mut meet = |medium: MediumId| Some((medium, Some(self.search.nearest(&Ray { medium, ..ray })?)));
         media.into_iter().find_map(&mut meet).unwrap_or((outside, None))
     }
 
@@ -211,7 +223,7 @@ impl<'a> Tracer<'a> {
         branch: &Branch,
         medium: MediumId,
         crossing: &Crossing,
-    ) {
+    ) -> Option<Branch> {
         let interface = &self.system.interfaces[crossing.interface];
         let Ray { from, direction, .. } = branch.ray;
         // The rounded point is put back on its curve, between its ends.
@@ -244,18 +256,25 @@ impl<'a> Tracer<'a> {
                 let transmitted = Transmitted { direction, cos, sin };
                 let shares = arrival.shares(self.settings.secondary_rays, &transmitted);
                 self.work.fresnel += u64::from(self.settings.secondary_rays == SecondaryRays::Fresnel);
-                self.part(record, id, branch, &arrival, &arrival.refracted(transmitted, shares));
+                self.part(record, id, branch, &arrival, &arrival.refracted(transmitted, shares))
             }
             Refraction::TotalInternalReflection { critical, .. } => {
                 let outcome = arrival.totally_reflected(critical, Shares::total_reflection());
-                self.part(record, id, branch, &arrival, &outcome);
+                self.part(record, id, branch, &arrival, &outcome)
             }
         }
     }
 
-    /// Queues what an arrival spawns, and records the branch.
+    /// Records a branch that arrived, and sends on what it spawns.
     #[inline(always)]
-    fn part(&mut self, record: &mut impl Record, id: SegmentId, branch: &Branch, arrival: &Arrival, outcome: &Outcome) {
+    fn part(
+        &mut self,
+        record: &mut impl Record,
+        id: SegmentId,
+        branch: &Branch,
+        arrival: &Arrival,
+        outcome: &Outcome,
+    ) -> Option<Branch> {
         let Arrival { place, from_left, medium, behind, at, optical_path, .. } = *arrival;
         let Outcome { shares, transmitted, reflected, total } = outcome;
         let child = |via: Via, share: Power, direction: DVec2, medium: MediumId, left: bool| {
@@ -263,14 +282,14 @@ impl<'a> Tracer<'a> {
             let (power, hits_behind) = (branch.power.times(share), branch.hits_behind + 1);
             Branch { parent: Some(id), via, ray, power, optical_path, hits_behind }
         };
-        let mut spawns = false;
-        if let Some(direction) = *reflected {
-            let via = if total.is_some() { Via::TotalInternalReflection } else { Via::Reflection };
-            spawns |= self.queue(child(via, shares.reflectance, direction, medium, from_left));
-        }
-        if let Some(Transmitted { direction, .. }) = *transmitted {
-            spawns |= self.queue(child(Via::Transmission, shares.transmittance, direction, behind, !from_left));
-        }
+        let carries = |branch: &Branch| branch.power.total() > 0.0;
+        let via = if total.is_some() { Via::TotalInternalReflection } else { Via::Reflection };
+        let reflected = reflected.map(|direction| child(via, shares.reflectance, direction, medium, from_left));
+        let transmitted = transmitted.as_ref().map(|transmitted| {
+            child(Via::Transmission, shares.transmittance, transmitted.direction, behind, !from_left)
+        });
+        let (reflected, transmitted) = (reflected.filter(carries), transmitted.filter(carries));
+        let spawns = reflected.is_some() || transmitted.is_some();
         let ending = match arrival.interface.action {
             _ if spawns => Ending::Interface,
             Action::Detect { .. } => Ending::Detected,
@@ -279,15 +298,10 @@ impl<'a> Tracer<'a> {
         self.work.ended[ending as usize] += 1;
         let (origin, medium_index) = (self.system.origin, arrival.n_i);
         record.record(&Leg { id, branch, origin, medium_index, ending, arrived: Some((arrival, outcome)) });
-    }
-
-    /// Has a branch followed later, if it carries anything.
-    #[inline(always)]
-    fn queue(&mut self, branch: Branch) -> bool {
-        let carries = branch.power.total() > 0.0;
-        if carries {
-            self.waiting.push(branch);
+        if transmitted.is_none() {
+            return reflected;
         }
-        carries
+        self.waiting.extend(reflected);
+        transmitted
     }
 }
