@@ -9,7 +9,6 @@ use crate::trace::tracer::{Leg, Record, Tracer};
 use crate::trace::{Segment, TracedRay, Visitor, Work};
 
 /// One ray at one line, followed: its branches if they were asked for, and what became of its light.
-#[derive(Clone)]
 pub(crate) struct Part {
     pub(crate) ray: TracedRay,
     pub(crate) summary: RaySummary,
@@ -87,7 +86,9 @@ impl Record for Keep<'_, '_> {
 /// So many segments are followed before other threads are asked for help: starting them takes as long.
 const ALONE: u64 = 16_384;
 /// Rays in one batch at most.
-const BATCH: u64 = 4096;
+const BATCH: u64 = 1024;
+/// Parts of a batch, one of which a thread takes at a time.
+const CHUNKS: u64 = 64;
 
 /// Follows every ray of the system and hands the parts on in order. The segments that the system's limit allows are spent in
 /// that order too: the result does not depend on the number of threads. `progress` hears now and then how many more segments
@@ -102,36 +103,36 @@ pub(crate) fn collect(
     let most = system.settings.max_segments;
     let (mut left, mut longest, mut next) = (most, 1, 0);
     let mut alone = Worker::new(system, &plan, keeps_tree, progress);
-    while next < plan.jobs() && left > 0 && most - left < ALONE {
-        alone.lines(next, left, |mut part| {
-            left -= part.followed();
-            longest = longest.max(part.followed());
-            keep(&mut part);
-        });
-        next += 1;
-    }
+    let mut batches = vec![Vec::new()];
     while next < plan.jobs() {
-        let batch =
-            if left == 0 { BATCH } else { (left / longest).clamp(number(rayon::current_num_threads()), BATCH) };
-        let end = plan.jobs().min(next + place(batch));
-        let worker = || Worker::new(system, &plan, keeps_tree, progress);
-        let of_job = |worker: &mut Worker, job| {
-            let mut parts = Vec::with_capacity(1);
-            worker.lines(job, left, |part| parts.push(part));
-            parts
-        };
-        let mut lines: Vec<Vec<Part>> = (next..end).into_par_iter().map_init(worker, of_job).collect();
-        for (job, parts) in (next..).zip(&mut lines) {
-            for (line, part) in parts.iter_mut().enumerate() {
-                longest = longest.max(part.followed());
-                if part.followed() > left {
-                    *part = alone.line(job, line, left);
-                }
-                left -= part.followed();
-                keep(part);
-            }
+        if most - left < ALONE && left > 0 {
+            batches[0].clear();
+            alone.lines(next, left, &mut batches[0]);
+            next += 1;
+        } else {
+            let batch =
+                if left == 0 { BATCH } else { (left / longest).clamp(number(rayon::current_num_threads()), BATCH) };
+            let end = plan.jobs().min(next + place(batch));
+            let chunk = place(batch / CHUNKS).max(1);
+            let worker = || Worker::new(system, &plan, keeps_tree, progress);
+            let chunks = (0..(end - next).div_ceil(chunk)).into_par_iter().map_init(worker, |worker, k| {
+                let begin = next + k * chunk;
+                let mut parts = Vec::with_capacity(chunk);
+                (begin..end.min(begin + chunk)).for_each(|job| worker.lines(job, left, &mut parts));
+                parts
+            });
+            batches = chunks.collect();
+            next = end;
         }
-        next = end;
+        for part in batches.iter_mut().flatten() {
+            longest = longest.max(part.work.followed);
+            if part.work.followed > left {
+                *part = part.anew();
+                alone.follow(part, left);
+            }
+            left -= part.work.followed;
+            keep(part);
+        }
     }
 }
 
@@ -206,32 +207,26 @@ impl<'a> Worker<'a> {
         Self { plan, tracer: Tracer::new(system), keeps_tree, segments: Vec::new(), progress }
     }
 
-    /// A ray at all its lines, with at most so many segments followed. Light that depends on no index that changes with the
+    /// Follows a ray at all its lines, with at most so many segments. Light that depends on no index that changes with the
     /// wavelength is followed once.
-    fn lines(&mut self, job: usize, most: u64, mut keep: impl FnMut(Part)) {
-        let (source, _) = self.plan.job(job);
+    fn lines(&mut self, job: usize, most: u64, parts: &mut Vec<Part>) {
+        let (source, ray) = self.plan.job(job);
         let lines = &self.plan.system.sources[source].lines;
-        let (mut left, mut first) = (most, None);
+        let (mut left, first) = (most, parts.len());
         for (line, wavelength) in lines.iter().enumerate() {
-            let part = match &first {
-                Some(first) if Part::followed(first) <= left => first.at(*wavelength),
-                _ => self.line(job, line, left),
-            };
-            left -= part.followed();
-            if line == 0 && lines.len() > 1 && !part.work.disperses {
-                first = Some(part.clone());
+            let known = parts.get(first).filter(|first| !first.work.disperses && first.work.followed <= left);
+            if let Some(known) = known {
+                let part = known.at(*wavelength);
+                left -= part.work.followed;
+                parts.push(part);
+            } else {
+                parts.push(Part::new(self.plan.ray(source, ray, line)));
+                if let Some(part) = parts.last_mut() {
+                    self.follow(part, left);
+                    left -= part.work.followed;
+                }
             }
-            keep(part);
         }
-    }
-
-    /// A ray at one of its lines, with at most so many segments followed.
-    fn line(&mut self, job: usize, line: usize, most: u64) -> Part {
-        let (source, number) = self.plan.job(job);
-        let ray = self.plan.ray(source, number, line);
-        let mut part = Part { ray, summary: RaySummary::default(), work: Work::default() };
-        self.follow(&mut part, most);
-        part
     }
 
     /// Follows the ray of a part.
@@ -258,8 +253,13 @@ impl<'a> Worker<'a> {
 }
 
 impl Part {
-    fn followed(&self) -> u64 {
-        self.work.followed
+    /// A ray that is still to be followed.
+    fn new(ray: TracedRay) -> Self {
+        Self { ray, summary: RaySummary::default(), work: Work::default() }
+    }
+
+    fn anew(&self) -> Self {
+        Self::new(TracedRay { segments: Vec::new(), ..self.ray })
     }
 
     /// The same light at another wavelength, which changes nothing on its way.

@@ -88,7 +88,9 @@ impl Arrival<'_> {
                     self.totally_reflected(critical, Shares::fixed(reflect + transmit, 0.0))
                 }
             },
-            Action::Mirror => Outcome { shares: Shares::total_reflection(), reflected: Some(self.reflect()), ..nothing },
+            Action::Mirror => {
+                Outcome { shares: Shares::total_reflection(), reflected: Some(self.reflect()), ..nothing }
+            }
             Action::ThinLens { center, focal_length } => {
                 let transmitted = Some(self.thin_lens(center, focal_length));
                 Outcome { shares: Shares::transmitted_only(), transmitted, ..nothing }

@@ -96,12 +96,16 @@ impl<'a> Search<'a> {
             }
             None => first = self.look_everywhere(probe),
         }
-        let is_lost = first.crossing.is_none() && (cell.is_some() || ray.medium != self.system.surroundings);
-        let is_plain = !first.is_in_doubt && !is_lost && (first.crossing.is_none() || first.next > first.reach);
+        let is_none = first.place == First::NONE.place;
+        let is_lost = is_none && (cell.is_some() || ray.medium != self.system.surroundings);
+        let is_plain = !first.is_in_doubt && !is_lost && (is_none || first.next > first.reach);
         #[cfg(test)]
         let is_plain = is_plain && !self.skips_nothing;
-        let crossing = if is_plain { first.crossing } else { self.with_care(probe, first.is_in_doubt || is_lost, first.reach) };
-        crossing.map(|crossing| Crossing { distance: crossing.distance.max(0.0), ..crossing })
+        if !is_plain {
+            return self.with_care(probe, first.is_in_doubt || is_lost, first.reach);
+        }
+        let First { place: interface, distance, from_left, .. } = first;
+        (!is_none).then_some(Crossing { interface, distance: distance.max(0.0), from_left })
     }
 
     /// Apart, since it takes more of the processor than a look at a cell.
@@ -132,7 +136,8 @@ impl<'a> Search<'a> {
         if is_lost {
             put_right(&probe, &mut all);
         }
-        first_of(&probe, all)
+        let crossing = first_of(&probe, all)?;
+        Some(Crossing { distance: crossing.distance.max(0.0), ..crossing })
     }
 
     /// Visits interfaces of the whole system, at least all whose crossings are at a distance between `begin` and what `visit`
@@ -154,8 +159,10 @@ impl<'a> Search<'a> {
 /// The nearest way out so far.
 #[derive(Clone, Copy)]
 struct First {
-    crossing: Option<Crossing>,
+    /// The interface.
+    place: usize,
     distance: f64,
+    from_left: bool,
     /// No crossing that the ray passes before this one is farther, up to rounding.
     reach: f64,
     /// Distance of the nearest but one.
@@ -166,8 +173,9 @@ struct First {
 
 impl First {
     const NONE: Self = Self {
-        crossing: None,
+        place: usize::MAX,
         distance: f64::INFINITY,
+        from_left: false,
         reach: f64::INFINITY,
         next: f64::INFINITY,
         is_in_doubt: false,
@@ -207,11 +215,11 @@ impl First {
         if !passage.is_way_out() {
             return;
         }
-        let distance = passage.crossing.distance;
+        let Crossing { interface, distance, from_left } = passage.crossing;
         self.reach = self.reach.min(passage.reach);
         if distance < self.distance {
             self.next = self.distance;
-            (self.distance, self.crossing) = (distance, Some(passage.crossing));
+            (self.place, self.distance, self.from_left) = (interface, distance, from_left);
         } else if distance < self.next {
             self.next = distance;
         }
