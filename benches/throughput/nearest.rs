@@ -42,11 +42,11 @@ pub(crate) fn run(study: &mut Study) {
 
 fn measure(study: &Study, edges: usize) -> Times {
     let system = system(edges / 5, study.size(300, 3000));
-    let flat = Flat::new(&system, 0.0, 1);
+    let (flat, rays) = (Flat::new(&system, 0.0, 1), rays(&system));
     let scalar = Loop::new(&flat);
     let [binned, ploc] = [Binned, Ploc].map(|strategy| Parry::new(&flat.curves, strategy));
     let tasks = vec![
-        Task::new(OURS, flat.starts.len() as u64, || ours(&system)),
+        Task::new(OURS, flat.starts.len() as u64, || ours(&system, &rays)),
         task(SCALAR, &system, &flat, |from, ahead, last| scalar.nearest(from, ahead, last)),
         task(PARRYS[0], &system, &flat, |from, ahead, last| binned.nearest_with_its_own_test(from, ahead, last)),
         task(PARRYS[1], &system, &flat, |from, ahead, last| ploc.nearest_with_its_own_test(from, ahead, last)),
@@ -64,17 +64,21 @@ fn task<'a>(name: &'static str, system: &OpticalSystem, flat: &'a Flat, nearest:
             |(from, ahead, _): &(DVec2, DVec2, Power)| nearest(*from, *ahead, NONE).map_or(-1.0, |hit| hit.1);
         flat.starts.iter().map(distance).sum::<f64>()
     };
-    let (sum, expected) = (found(), ours(system));
+    let (sum, expected) = (found(), ours(system, &rays(system)));
     assert!((sum / expected - 1.0).abs() < 1e-6, "{name}: distances add up to {sum}, not {expected}");
     Task::new(name, flat.starts.len() as u64, found)
 }
 
-/// The sum of the distances of all rays to what they meet first, −1 for nothing.
-fn ours(system: &OpticalSystem) -> f64 {
-    let mut search = Search::new(system);
+/// All rays of a system, side by side as those of the other searches are.
+fn rays(system: &OpticalSystem) -> Vec<Ray> {
     let starts = system.sources().iter().flat_map(|source| &source.starts);
-    let rays = starts.map(|&RayStart { from, direction, medium, start }| Ray { from, direction, medium, start });
-    rays.map(|ray| search.nearest(&ray).map_or(-1.0, |crossing| crossing.distance)).sum()
+    starts.map(|&RayStart { from, direction, medium, start }| Ray { from, direction, medium, start }).collect()
+}
+
+/// The sum of the distances of rays to what they meet first, −1 for nothing.
+fn ours(system: &OpticalSystem, rays: &[Ray]) -> f64 {
+    let mut search = Search::new(system);
+    rays.iter().map(|ray| search.nearest(ray).map_or(-1.0, |crossing| crossing.distance)).sum()
 }
 
 /// Random rays from random points of a field of polygons, followed to their first hit.

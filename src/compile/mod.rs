@@ -29,7 +29,7 @@ use crate::compile::sources::{Ground, rays};
 use crate::geometry::{Bounds, BoxTree, Curve, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
-use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, Wall, rounding};
+use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, rounding};
 
 /// So many interfaces are looked at one by one faster than a search finds them.
 const FEW: usize = 16;
@@ -95,7 +95,6 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         origin,
         near,
         cells,
-        walls: walls.iter().map(|wall| Wall::new(&wall.curve, near)).collect(),
         tree,
         dropped,
         media: media.list,

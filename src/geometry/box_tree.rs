@@ -24,8 +24,8 @@ pub(crate) struct BoxTree {
 /// Four boxes side by side, with what is in each.
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    min: [Vec4; 2],
-    max: [Vec4; 2],
+    /// By axis, the lower and the upper ends.
+    ends: [[Vec4; 2]; 2],
     content: [u32; 4],
 }
 
@@ -58,7 +58,10 @@ impl BoxTree {
         while let Some(place) = waiting.pop() {
             let Some(node) = self.nodes.get(place as usize) else { continue };
             for slot in 0..4 {
-                let meets = |axis: usize| node.min[axis][slot] <= max[axis] && min[axis] <= node.max[axis][slot];
+                let meets = |axis: usize| {
+                    let [low, high] = node.ends[axis].map(|ends| ends[slot]);
+                    low <= max[axis] && min[axis] <= high
+                };
                 match node.content[slot] {
                     content if content == NONE || !(meets(0) && meets(1)) => {}
                     content if content & ITEM != 0 => visit((content & !ITEM) as usize),
@@ -115,8 +118,8 @@ impl BoxTree {
         // Where rounding on the way to the tree is not small against its boxes, everything counts.
         let is_far = (from.abs().max_element() + entry.abs()) * 16.0 * f64::EPSILON > 0.25 * pad;
         if is_far {
-            let everywhere = Line { origin: [0.0; 2], inverse: [0.0; 2], entry: f64::NEG_INFINITY, scale: self.scale };
-            return Some(everywhere);
+            let (origin, inverse, entry) = ([0.0; 2], [0.0; 2], f64::NEG_INFINITY);
+            return Some(Line { origin, inverse, near: [0; 2], entry, scale: self.scale });
         }
         (entry <= exit).then(|| self.line_from(from, direction, entry))
     }
@@ -125,6 +128,7 @@ impl BoxTree {
         Line {
             origin: self.local(from + entry * direction),
             inverse: [0, 1].map(|axis| inverse(direction[axis])),
+            near: [0, 1].map(|axis| usize::from(inverse(direction[axis]) < 0.0)),
             entry,
             scale: self.scale,
         }
@@ -165,12 +169,12 @@ impl BoxTree {
 }
 
 impl Node {
-    const EMPTY: Self = Self { min: [Vec4::INFINITY; 2], max: [Vec4::NEG_INFINITY; 2], content: [NONE; 4] };
+    const EMPTY: Self = Self { ends: [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 2], content: [NONE; 4] };
 
     fn set(&mut self, slot: usize, flat: Flat, content: u32) {
         for axis in 0..2 {
-            self.min[axis][slot] = flat.min[axis] - PAD;
-            self.max[axis][slot] = flat.max[axis] + PAD;
+            self.ends[axis][0][slot] = flat.min[axis] - PAD;
+            self.ends[axis][1][slot] = flat.max[axis] + PAD;
         }
         self.content[slot] = content;
     }
@@ -179,9 +183,8 @@ impl Node {
     #[inline]
     fn nearest_met(&self, line: &Line, end: f32, waiting: &mut Waiting) -> Option<u32> {
         let [x, y] = [0, 1].map(|axis| {
-            let t = |edges: Vec4| (edges - line.origin[axis]) * line.inverse[axis];
-            let (first, last) = (t(self.min[axis]), t(self.max[axis]));
-            if line.inverse[axis] < 0.0 { (last, first) } else { (first, last) }
+            let t = |end: usize| (self.ends[axis][end] - line.origin[axis]) * line.inverse[axis];
+            (t(line.near[axis]), t(1 - line.near[axis]))
         });
         let (entry, exit) = (x.0.max(y.0).max(Vec4::ZERO), x.1.min(y.1).min(Vec4::splat(end)));
         let mut met = entry.cmple(exit).bitmask();
@@ -213,6 +216,8 @@ struct Line {
     origin: [f32; 2],
     /// One over the direction's components, no infinity; 0 meets everything.
     inverse: [f32; 2],
+    /// Which end of a box it meets first, by axis.
+    near: [usize; 2],
     /// Distance of `origin` along the line, unscaled.
     entry: f64,
     scale: f64,

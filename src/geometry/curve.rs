@@ -10,17 +10,18 @@ use crate::numerics::{atan, cross, sin};
 /// `n` points to the left of the direction of travel at `m`. An arc with positive `curvature` turns left: its center
 /// `m + n / curvature` lies on its left and it bulges to the right of its chord. Lengths are scene units (millimeters).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Curve {
     /// First end.
     pub a: DVec2,
     /// Second end.
     pub b: DVec2,
+    /// Signed curvature, 1/radius; 0 is straight, positive turns left.
+    pub curvature: f64,
     /// A point of the curve's line or circle where `n` is the normal: the middle of an edge, the apex of a whole arc.
     pub m: DVec2,
     /// Unit normal at `m`, to the left of the direction of travel.
     pub n: DVec2,
-    /// Signed curvature, 1/radius; 0 is straight, positive turns left.
-    pub curvature: f64,
 }
 
 impl Curve {

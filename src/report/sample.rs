@@ -20,7 +20,6 @@ pub(super) fn turn_in_a_prism() -> (OpticalSystem, Trace) {
         near: 0.0,
         tree: None,
         cells: Cells::default(),
-        walls: Vec::new(),
         dropped: 0,
         screens: vec![1],
         media: Vec::new(),

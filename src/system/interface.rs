@@ -18,7 +18,9 @@ impl MediumId {
 pub struct VertexId(pub(crate) u32);
 
 /// A piece of boundary: an edge, or an arc of at most half a circle, with what lies on its two sides.
+// What a search looks at comes first, in one line of the processor's cache.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(C, align(64))]
 pub struct Interface {
     /// Where it runs, relative to the system's origin.
     pub curve: Curve,
@@ -39,36 +41,6 @@ impl Interface {
     #[inline(always)]
     pub(crate) fn bounds(&self, medium: MediumId) -> bool {
         self.left == medium || self.right == medium
-    }
-}
-
-/// What a search needs to see that a line passes an interface by.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wall {
-    pub(crate) a: DVec2,
-    pub(crate) b: DVec2,
-    /// A line passes by if both ends lie on one side of it and at least this far away: past the arc between them, and more
-    /// than rounding.
-    pub(crate) margin: f64,
-}
-
-impl Wall {
-    /// Distances below `near` are rounding.
-    pub(crate) fn new(curve: &Curve, near: f64) -> Self {
-        let sagitta = curve.midpoint().distance(0.5 * (curve.a + curve.b));
-        Self { a: curve.a, b: curve.b, margin: near + if curve.is_straight() { 0.0 } else { sagitta + near } }
-    }
-
-    /// How far to the left of a line the two ends lie.
-    #[inline(always)]
-    pub(crate) fn sides(&self, from: DVec2, direction: DVec2) -> [f64; 2] {
-        [self.a, self.b].map(|end| direction.perp_dot(end - from))
-    }
-
-    /// Whether a line with these sides passes by.
-    #[inline(always)]
-    pub(crate) fn is_passed_by(&self, [a, b]: [f64; 2]) -> bool {
-        (a > self.margin && b > self.margin) || (a < -self.margin && b < -self.margin)
     }
 }
 

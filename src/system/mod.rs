@@ -6,7 +6,7 @@ mod placed;
 
 pub(crate) use cells::Cells;
 pub use interface::{Action, Interface, MediumId, VertexId};
-pub(crate) use interface::{Wall, rounding};
+pub(crate) use interface::rounding;
 pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
 use glam::DVec2;
@@ -29,8 +29,6 @@ pub struct OpticalSystem {
     /// Finds interfaces; `None` where they are so few that it is not worth it.
     pub(crate) tree: Option<BoxTree>,
     pub(crate) cells: Cells,
-    /// Of every interface, what a search looks at first.
-    pub(crate) walls: Vec<Wall>,
     pub(crate) media: Vec<Dispersion>,
     pub(crate) surroundings: MediumId,
     pub(crate) bodies: Vec<PlacedBody>,

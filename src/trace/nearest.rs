@@ -183,12 +183,11 @@ impl First {
 
     #[inline(always)]
     fn look(&mut self, probe: &Probe, place: usize) {
-        let (wall, Ray { from, direction, medium, .. }) = (&probe.system.walls[place], probe.ray);
-        let sides = wall.sides(from, direction);
-        if wall.is_passed_by(sides) || place == probe.edge {
+        let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
+        let sides = probe.sides(&interface.curve);
+        if probe.passes_by(&interface.curve, sides) || place == probe.edge {
             return;
         }
-        let interface = &probe.system.interfaces[place];
         if !interface.bounds(medium) {
             return;
         }

@@ -74,6 +74,24 @@ impl<'a> Probe<'a> {
         if turn == 0.0 { by_distance } else { (turn > 0.0) == self.is_left(corner, p) }
     }
 
+    /// How far to the left of the line a curve's ends lie.
+    #[inline(always)]
+    pub(crate) fn sides(&self, curve: &Curve) -> [f64; 2] {
+        [curve.a, curve.b].map(|end| self.ray.direction.perp_dot(end - self.ray.from))
+    }
+
+    /// Whether a curve with these sides surely lies beside the line: both ends do, by more than rounding and more than the
+    /// sagitta, c²κ/8 to c²κ/4 over a chord of length c.
+    #[inline(always)]
+    pub(crate) fn passes_by(&self, curve: &Curve, [a, b]: [f64; 2]) -> bool {
+        let margin = if curve.is_straight() {
+            self.near
+        } else {
+            2.0 * self.near + 0.25 * curve.curvature.abs() * curve.a.distance_squared(curve.b)
+        };
+        (a > margin && b > margin) || (a < -margin && b < -margin)
+    }
+
     /// Visits where the line crosses the interface at place `index`.
     #[inline(always)]
     pub(crate) fn crossings(&self, index: usize, candidate: &Interface, visit: impl FnMut(Met)) {
@@ -158,13 +176,12 @@ impl<'a> Probe<'a> {
     /// The crossing of an edge: not of one that the ray stands on.
     #[inline(always)]
     fn edge(&self, index: usize, candidate: &Interface) -> Option<Met> {
-        let Ray { from, direction, start, .. } = self.ray;
-        let sides = [candidate.curve.a, candidate.curve.b].map(|p| direction.perp_dot(p - from));
+        let sides = self.sides(&candidate.curve);
         let is_sure = sides.iter().all(|side| side.abs() > self.near);
         if is_sure && (sides[0] > 0.0) == (sides[1] > 0.0) {
             return None;
         }
-        if matches!(start, Start::AtVertex(vertex) if candidate.ends.contains(&vertex)) || index == self.edge {
+        if matches!(self.ray.start, Start::AtVertex(vertex) if candidate.ends.contains(&vertex)) || index == self.edge {
             return None;
         }
         self.plain_edge(candidate, sides).or_else(|| self.edge_with_care(candidate))
