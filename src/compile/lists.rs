@@ -17,21 +17,25 @@ impl Lists {
     /// The other's number with either one of each pair: ascending, where the pairs are sorted and the earlier comes first
     /// in each.
     pub(crate) fn of_pairs(count: usize, pairs: &[(usize, usize)]) -> Self {
+        Self::sorted(count, || pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]))
+    }
+
+    /// Items by the list in which each belongs, in the order in which they come.
+    pub(crate) fn sorted<I: Iterator<Item = (usize, usize)>>(count: usize, items: impl Fn() -> I) -> Self {
         let mut starts = vec![0; count + 1];
-        for &(i, j) in pairs {
-            starts[i + 1] += 1;
-            starts[j + 1] += 1;
+        for (list, _) in items() {
+            starts[list + 1] += 1;
         }
         for k in 0..count {
             starts[k + 1] += starts[k];
         }
         let mut free = starts.clone();
-        let mut items = vec![0; 2 * pairs.len()];
-        for (to, other) in pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]) {
-            items[free[to]] = other;
-            free[to] += 1;
+        let mut sorted = vec![0; starts[count]];
+        for (list, item) in items() {
+            sorted[free[list]] = item;
+            free[list] += 1;
         }
-        Self { starts, items }
+        Self { starts, items: sorted }
     }
 
     /// Puts one more item in the last list, which is not yet ended.
@@ -44,6 +48,11 @@ impl Lists {
         let start = self.starts.last().copied().unwrap_or(0);
         self.items[start..].sort_unstable();
         self.starts.push(self.items.len());
+    }
+
+    /// All lists that hold something.
+    pub(crate) fn filled(&self) -> impl Iterator<Item = &[usize]> {
+        (0..self.starts.len() - 1).map(|list| self.of(list)).filter(|list| !list.is_empty())
     }
 
     /// The items of a list.

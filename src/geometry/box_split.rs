@@ -4,6 +4,8 @@
 //! Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing 2007, for
 //! the binned splits.
 
+use glam::Vec4;
+
 /// Bins of a split.
 const BINS: usize = 16;
 /// Splits deeper than this are in halves, so that no list makes a tree much deeper.
@@ -16,31 +18,35 @@ pub(super) struct Item {
     pub(super) flat: Flat,
 }
 
-/// A box in the tree's units.
+/// A box in the tree's units: its lower ends, and its upper ends negated, so that the box around two is one minimum.
 #[derive(Clone, Copy)]
-pub(super) struct Flat {
-    pub(super) min: [f32; 2],
-    pub(super) max: [f32; 2],
-}
+pub(super) struct Flat(Vec4);
 
 impl Flat {
-    const EMPTY: Self = Self { min: [f32::INFINITY; 2], max: [f32::NEG_INFINITY; 2] };
+    const EMPTY: Self = Self(Vec4::INFINITY);
+
+    pub(super) fn new(min: [f32; 2], max: [f32; 2]) -> Self {
+        Self(Vec4::new(min[0], min[1], -max[0], -max[1]))
+    }
+
+    /// Lower and upper end.
+    pub(super) fn ends(self, axis: usize) -> [f32; 2] {
+        [self.0[axis], -self.0[axis + 2]]
+    }
 
     fn union(self, other: Self) -> Self {
-        Self {
-            min: [0, 1].map(|axis| self.min[axis].min(other.min[axis])),
-            max: [0, 1].map(|axis| self.max[axis].max(other.max[axis])),
-        }
+        Self(self.0.min(other.0))
     }
 
     /// Half the circumference: the chance that a line meets the box.
     fn girth(self) -> f32 {
-        (self.max[0] - self.min[0]).max(0.0) + (self.max[1] - self.min[1]).max(0.0)
+        let size = |axis| -(self.0[axis] + self.0[axis + 2]).min(0.0);
+        size(0) + size(1)
     }
 
     /// Twice the center.
     fn center(self, axis: usize) -> f32 {
-        self.min[axis] + self.max[axis]
+        self.0[axis] - self.0[axis + 2]
     }
 }
 
@@ -56,19 +62,20 @@ pub(super) fn split(items: &mut [Item], depth: u32) -> (&mut [Item], &mut [Item]
     }
     let centers = items.iter().fold(Flat::EMPTY, |all, item| {
         let center = [0, 1].map(|axis| item.flat.center(axis));
-        all.union(Flat { min: center, max: center })
+        all.union(Flat::new(center, center))
     });
-    let spread = [0, 1].map(|axis| centers.max[axis] - centers.min[axis]);
+    let spread = [0, 1].map(|axis| centers.ends(axis)[1] - centers.ends(axis)[0]);
     let axis = usize::from(spread[1] > spread[0]);
     let middle = items.len() / 2;
     if items.len() <= 4 || depth > DEEP || spread[axis] <= 0.0 {
         items.select_nth_unstable_by(middle, |a, b| a.flat.center(axis).total_cmp(&b.flat.center(axis)));
         return items.split_at_mut(middle);
     }
+    let lowest = centers.ends(axis)[0];
     #[expect(clippy::cast_precision_loss, reason = "a small number")]
     let per_bin = BINS as f32 / spread[axis];
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 0 and clamped")]
-    let bin = |item: &Item| (((item.flat.center(axis) - centers.min[axis]) * per_bin) as usize).min(BINS - 1);
+    let bin = |item: &Item| (((item.flat.center(axis) - lowest) * per_bin) as usize).min(BINS - 1);
     let cut = best_cut(items, bin);
     let mut low = 0;
     for k in 0..items.len() {
@@ -88,16 +95,22 @@ fn best_cut(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
         *count += 1;
         *flat = flat.union(item.flat);
     }
-    let add = |(count, flat): &mut (u32, Flat), &(more, other): &(u32, Flat)| {
-        *count += more;
-        *flat = flat.union(other);
-        Some((*count, *flat))
-    };
-    let below: Vec<_> = bins.iter().scan((0, Flat::EMPTY), add).collect();
-    let mut above: Vec<_> = bins.iter().rev().scan((0, Flat::EMPTY), add).collect();
-    above.reverse();
+    let add = |(count, flat): (u32, Flat), (more, other): (u32, Flat)| (count + more, flat.union(other));
     #[expect(clippy::cast_precision_loss, reason = "an estimate")]
     let cost = |(count, flat): (u32, Flat)| count as f32 * flat.girth();
-    let total = |cut: &usize| cost(below[cut - 1]) + cost(above[*cut]);
-    (1..BINS).min_by(|a, b| total(a).total_cmp(&total(b))).unwrap_or(1)
+    // Of what lies in each bin and above it.
+    let (mut above, mut costs) = ((0, Flat::EMPTY), [0.0; BINS]);
+    for cut in (1..BINS).rev() {
+        above = add(above, bins[cut]);
+        costs[cut] = cost(above);
+    }
+    let (mut below, mut best, mut least) = ((0, Flat::EMPTY), 1, f32::INFINITY);
+    for cut in 1..BINS {
+        below = add(below, bins[cut - 1]);
+        let total = cost(below) + costs[cut];
+        if total < least {
+            (best, least) = (cut, total);
+        }
+    }
+    best
 }

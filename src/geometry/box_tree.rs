@@ -53,7 +53,7 @@ impl BoxTree {
 
     /// Visits the boxes that share a point with `bounds`.
     pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
-        let Flat { min, max } = self.flat(bounds);
+        let (min, max) = (self.local(bounds.min), self.local(bounds.max));
         let mut waiting = vec![0];
         while let Some(place) = waiting.pop() {
             let Some(node) = self.nodes.get(place as usize) else { continue };
@@ -156,8 +156,7 @@ impl BoxTree {
     }
 
     fn flat(&self, bounds: Bounds) -> Flat {
-        let (min, max) = (self.local(bounds.min), self.local(bounds.max));
-        Flat { min, max }
+        Flat::new(self.local(bounds.min), self.local(bounds.max))
     }
 
     /// A point in the tree's units, in single precision.
@@ -173,8 +172,9 @@ impl Node {
 
     fn set(&mut self, slot: usize, flat: Flat, content: u32) {
         for axis in 0..2 {
-            self.ends[axis][0][slot] = flat.min[axis] - PAD;
-            self.ends[axis][1][slot] = flat.max[axis] + PAD;
+            let [min, max] = flat.ends(axis);
+            self.ends[axis][0][slot] = min - PAD;
+            self.ends[axis][1][slot] = max + PAD;
         }
         self.content[slot] = content;
     }

@@ -5,8 +5,8 @@ mod interface;
 mod placed;
 
 pub(crate) use cells::Cells;
-pub use interface::{Action, Interface, MediumId, VertexId};
 pub(crate) use interface::rounding;
+pub use interface::{Action, Interface, MediumId, VertexId};
 pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
 use glam::DVec2;
