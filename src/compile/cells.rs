@@ -3,22 +3,25 @@
 use crate::compile::leaders::Leaders;
 use crate::compile::lists::Lists;
 use crate::compile::region::{crosses, signed_area};
-use crate::geometry::{Bounds, BoxTree};
+use crate::geometry::{Bounds, RunTree};
 use crate::system::{Cells, Interface, MediumId};
 
 /// A cell has at most this many interfaces: so many are looked at one by one faster than a search finds them.
 const MOST: usize = 12;
 
-/// Finds the cells of a system, `boxes` and `tree` being those of its interfaces.
+/// Finds the cells of a system, `runs` being those of its interfaces.
 ///
 /// Sides of interfaces that share a vertex and a medium bound one stretch of it, or several that touch there; what encloses a
 /// finite area and holds no other boundary of its medium is a cell.
-pub(crate) fn cells(interfaces: &[Interface], boxes: &[Bounds], tree: &BoxTree) -> Cells {
+pub(crate) fn cells(interfaces: &[Interface], runs: &RunTree) -> Cells {
     let groups = groups(interfaces);
     let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], walls: Vec::new() };
     for sides in groups.filled() {
         let walls = walls(sides);
-        if walls.len() > MOST || !encloses(interfaces, sides, &walls, boxes, tree) {
+        if walls.len() > MOST {
+            continue;
+        }
+        if !encloses(interfaces, sides, &walls, runs) {
             continue;
         }
         let cell = number(cells.begins.len() - 1);
@@ -39,8 +42,9 @@ fn walls(sides: &[usize]) -> Vec<u32> {
 }
 
 /// Whether sides that belong together enclose a finite stretch of their medium, with no other boundary of it inside.
-fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], boxes: &[Bounds], tree: &BoxTree) -> bool {
-    let bounds = walls.iter().fold(Bounds::EMPTY, |all, &wall| all.union(boxes[wall as usize]));
+fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], runs: &RunTree) -> bool {
+    let bounds =
+        walls.iter().map(|wall| Bounds::from(&interfaces[*wall as usize].curve)).fold(Bounds::EMPTY, Bounds::union);
     let about = bounds.center();
     let area = |&side: &usize| {
         let area = signed_area(&interfaces[side / 2].curve, about);
@@ -51,14 +55,17 @@ fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], boxes: &[B
     }
     let medium = medium_of(interfaces, sides[0]);
     let mut encloses = true;
-    tree.meeting(bounds, |place| {
-        let Interface { curve, left, right, .. } = &interfaces[place];
-        let is_other = (*left == medium || *right == medium) && walls.binary_search(&number(place)).is_err();
-        if encloses && is_other {
-            let middle = curve.midpoint();
-            let bounding = walls.iter().map(|&wall| &interfaces[wall as usize]).filter(|wall| wall.left != wall.right);
-            let around = bounding.filter(|wall| crosses(&wall.curve, middle));
-            encloses = around.count() % 2 == 0;
+    runs.meeting(bounds, |run| {
+        for place in runs.range(run) {
+            let Interface { curve, left, right, .. } = &interfaces[place];
+            let is_other = (*left == medium || *right == medium) && walls.binary_search(&number(place)).is_err();
+            if encloses && is_other {
+                let middle = curve.midpoint();
+                let bounding =
+                    walls.iter().map(|&wall| &interfaces[wall as usize]).filter(|wall| wall.left != wall.right);
+                let around = bounding.filter(|wall| crosses(&wall.curve, middle));
+                encloses = around.count() % 2 == 0;
+            }
         }
     });
     encloses

@@ -26,7 +26,7 @@ use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
 use crate::compile::region::Regions;
 use crate::compile::runs::Runs;
 use crate::compile::sources::{Ground, rays};
-use crate::geometry::{Bounds, BoxTree, Curve, Placement};
+use crate::geometry::{Bounds, Curve, CurveTree, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
 use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, rounding};
@@ -110,10 +110,9 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
 }
 
 /// The search tree over interfaces, if it is worth it, and the cells.
-fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<BoxTree>, Cells) {
-    let boxes: Vec<_> = interfaces.iter().map(|one| Bounds::from(&one.curve).grown(2.0 * near)).collect();
-    let tree = BoxTree::new(&boxes);
-    let mut cells = cells::cells(interfaces, &boxes, &tree);
+fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<CurveTree>, Cells) {
+    let tree = CurveTree::new(interfaces.iter().map(|one| &one.curve), near);
+    let mut cells = cells::cells(interfaces, tree.runs());
     for (place, left) in outlook::outward_sides(interfaces, near) {
         cells.of_sides[place][usize::from(!left)] = Cells::NOTHING;
     }

@@ -5,8 +5,8 @@
 
 use glam::{DVec2, Vec4};
 
-use crate::geometry::Bounds;
 use crate::geometry::box_split::{Flat, Item, around, split};
+use crate::geometry::{Bounds, Curve};
 
 /// Boxes by their place in a list, found by where they are.
 ///
@@ -34,7 +34,7 @@ const ITEM: u32 = 1 << 31;
 /// In `content`, for nothing.
 const NONE: u32 = u32::MAX;
 /// How far boxes are grown, in units of the extent. Rounding boxes and rays to single precision moves them by up to 2^-21.
-const PAD: f32 = 1.0 / 1_048_576.0;
+pub(super) const PAD: f32 = 1.0 / 1_048_576.0;
 /// What waits to be searched: the distance at which a line enters a box, in the tree's units, and what is in the box.
 pub(crate) type Waiting = Vec<(f32, u32)>;
 
@@ -74,13 +74,13 @@ impl BoxTree {
     /// Visits the boxes that a line meets at a distance of at least `begin` from its point `from` along the unit vector
     /// `direction`, about in the order in which it meets them. `visit` returns the distance beyond which nothing counts any
     /// more. Returns how many nodes were looked at. `waiting` is working memory.
-    pub(crate) fn along(
+    pub(super) fn along(
         &self,
         from: DVec2,
         direction: DVec2,
         begin: f64,
         waiting: &mut Waiting,
-        mut visit: impl FnMut(usize) -> f64,
+        mut visit: impl FnMut(&Line, usize) -> f64,
     ) -> u64 {
         let Some(line) = self.line(from, direction, begin) else { return 0 };
         let (mut end, mut looked_at) = (f32::INFINITY, 0);
@@ -92,7 +92,7 @@ impl BoxTree {
                 looked_at += 1;
                 next = self.nodes[content as usize].nearest_met(&line, end, waiting);
             } else if content != NONE {
-                end = line.until(visit((content & !ITEM) as usize));
+                end = end.min(line.until(visit(&line, (content & !ITEM) as usize)));
             }
             while next.is_none()
                 && let Some((entry, content)) = waiting.pop()
@@ -119,14 +119,16 @@ impl BoxTree {
         let is_far = (from.abs().max_element() + entry.abs()) * 16.0 * f64::EPSILON > 0.25 * pad;
         if is_far {
             let (origin, inverse, entry) = ([0.0; 2], [0.0; 2], f64::NEG_INFINITY);
-            return Some(Line { origin, inverse, near: [0; 2], entry, scale: self.scale });
+            return Some(Line { origin, direction: [0.0; 2], inverse, near: [0; 2], entry, scale: self.scale });
         }
         (entry <= exit).then(|| self.line_from(from, direction, entry))
     }
 
+    #[expect(clippy::cast_possible_truncation, reason = "PAD holds what is lost")]
     fn line_from(&self, from: DVec2, direction: DVec2, entry: f64) -> Line {
         Line {
             origin: self.local(from + entry * direction),
+            direction: [direction.x as f32, direction.y as f32],
             inverse: [0, 1].map(|axis| inverse(direction[axis])),
             near: [0, 1].map(|axis| usize::from(inverse(direction[axis]) < 0.0)),
             entry,
@@ -159,9 +161,15 @@ impl BoxTree {
         Flat::new(self.local(bounds.min), self.local(bounds.max))
     }
 
+    /// How far beside a line both ends of a curve must lie for it to pass by: more than rounding and the sagitta.
+    #[expect(clippy::cast_possible_truncation, reason = "PAD holds what is lost")]
+    pub(super) fn margin(&self, curve: &Curve, near: f64) -> f32 {
+        (self.scale * (curve.sagitta_at_most() + 2.0 * near)) as f32 * (1.0 + PAD) + 2.0 * PAD
+    }
+
     /// A point in the tree's units, in single precision.
     #[expect(clippy::cast_possible_truncation, reason = "PAD holds what is lost")]
-    fn local(&self, p: DVec2) -> [f32; 2] {
+    pub(super) fn local(&self, p: DVec2) -> [f32; 2] {
         let scaled = (p - self.bounds.center()) * self.scale;
         [scaled.x as f32, scaled.y as f32]
     }
@@ -212,8 +220,10 @@ impl Node {
 }
 
 /// A line in the tree's units.
-struct Line {
+pub(super) struct Line {
     origin: [f32; 2],
+    /// 0 where everything counts.
+    direction: [f32; 2],
     /// One over the direction's components, no infinity; 0 meets everything.
     inverse: [f32; 2],
     /// Which end of a box it meets first, by axis.
@@ -224,6 +234,12 @@ struct Line {
 }
 
 impl Line {
+    /// How far to the left of the line points lie, to `PAD`.
+    #[inline]
+    pub(super) fn sides(&self, x: Vec4, y: Vec4) -> Vec4 {
+        (y - self.origin[1]) * self.direction[0] - (x - self.origin[0]) * self.direction[1]
+    }
+
     /// A distance in the tree's units from `origin`, rounded up.
     #[expect(clippy::cast_possible_truncation, reason = "the factor holds what is lost")]
     fn until(&self, distance: f64) -> f32 {
@@ -277,7 +293,7 @@ mod tests {
                 for (away, begin) in [(0.1, 0.0), (3.0, 0.0), (3.0, f64::NEG_INFINITY), (1e13, f64::NEG_INFINITY)] {
                     let from = shift + DVec2::splat(0.5) - away * direction;
                     let mut found = vec![false; boxes.len()];
-                    tree.along(from, direction, begin, &mut Waiting::new(), |place| {
+                    tree.along(from, direction, begin, &mut Waiting::new(), |_, place| {
                         found[place] = true;
                         f64::INFINITY
                     });
@@ -308,7 +324,7 @@ mod tests {
             (0..4096).map(|k| Bounds::of([DVec2::new(f64::from(k), -1.0), DVec2::new(f64::from(k), 1.0)])).collect();
         let tree = BoxTree::new(&row);
         let mut first = None;
-        let looked_at = tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, &mut Waiting::new(), |place| {
+        let looked_at = tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, &mut Waiting::new(), |_, place| {
             first.get_or_insert(place);
             f64::from(u32::try_from(place).unwrap()) + 1.0
         });

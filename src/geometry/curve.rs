@@ -82,6 +82,13 @@ impl Curve {
         self.project(middle - 0.5 * sagitta_per_half_chord * chord.perp())
     }
 
+    /// At least the sagitta of an arc of at most half a circle, c²κ/8 to c²κ/4 over a chord of length c; 0 for an edge.
+    #[inline]
+    pub(crate) fn sagitta_at_most(&self) -> f64 {
+        // A little more, for halves of circles that rounding has made longer.
+        0.250_000_1 * self.curvature.abs() * self.a.distance_squared(self.b)
+    }
+
     /// Whether an arc goes more than half way round its circle: its center lies on the side to which it bulges.
     #[must_use]
     pub fn spans_more_than_half(&self) -> bool {

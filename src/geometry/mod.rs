@@ -5,10 +5,14 @@ mod box_split;
 mod box_tree;
 mod circle_roots;
 mod curve;
+mod curve_tree;
 mod placement;
+mod run_tree;
 
 pub use bounds::Bounds;
 pub(crate) use box_tree::{BoxTree, Waiting};
 pub use circle_roots::CircleRoots;
 pub use curve::Curve;
+pub(crate) use curve_tree::CurveTree;
 pub use placement::Placement;
+pub(crate) use run_tree::RunTree;

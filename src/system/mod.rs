@@ -11,7 +11,7 @@ pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
 
 use glam::DVec2;
 
-use crate::geometry::{Bounds, BoxTree};
+use crate::geometry::{Bounds, CurveTree};
 use crate::light::Wavelength;
 use crate::media::Dispersion;
 use crate::scene::TraceSettings;
@@ -27,7 +27,7 @@ pub struct OpticalSystem {
     /// Distances below this are rounding.
     pub(crate) near: f64,
     /// Finds interfaces; `None` where they are so few that it is not worth it.
-    pub(crate) tree: Option<BoxTree>,
+    pub(crate) tree: Option<CurveTree>,
     pub(crate) cells: Cells,
     pub(crate) media: Vec<Dispersion>,
     pub(crate) surroundings: MediumId,
@@ -84,9 +84,12 @@ impl OpticalSystem {
     }
 
     /// Visits at least every interface that passes through or ends at a point, relative to the origin.
-    pub(crate) fn near_point(&self, p: DVec2, visit: impl FnMut(usize)) {
+    pub(crate) fn near_point(&self, p: DVec2, mut visit: impl FnMut(usize)) {
         match &self.tree {
-            Some(tree) => tree.meeting(Bounds::of([p]), visit),
+            Some(tree) => {
+                let runs = tree.runs();
+                runs.meeting(Bounds::of([p]), |run| runs.range(run).for_each(&mut visit));
+            }
             None => (0..self.interfaces.len()).for_each(visit),
         }
     }

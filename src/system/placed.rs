@@ -57,7 +57,7 @@ pub enum Start {
     On {
         /// The interface.
         interface: usize,
-        /// Whether it heads to the left of the direction of travel.
+        /// Whether it heads to the left of the direction of travel; the direction of the ray must agree.
         left: bool,
     },
     /// The end that several interfaces share.

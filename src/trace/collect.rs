@@ -110,10 +110,11 @@ pub(crate) fn collect(
             alone.lines(next, left, &mut batches[0]);
             next += 1;
         } else {
-            let batch =
-                if left == 0 { BATCH } else { (left / longest).clamp(number(rayon::current_num_threads()), BATCH) };
+            let threads = number(rayon::current_num_threads()).min(BATCH);
+            let batch = if left == 0 { BATCH } else { (left / longest).clamp(threads, BATCH) };
             let end = plan.jobs().min(next + place(batch));
             let chunk = place(batch / CHUNKS).max(1);
+            batches.clear();
             let worker = || Worker::new(system, &plan, keeps_tree, progress);
             let chunks = (0..(end - next).div_ceil(chunk)).into_par_iter().map_init(worker, |worker, k| {
                 let begin = next + k * chunk;

@@ -80,15 +80,10 @@ impl<'a> Probe<'a> {
         [curve.a, curve.b].map(|end| self.ray.direction.perp_dot(end - self.ray.from))
     }
 
-    /// Whether a curve with these sides surely lies beside the line: both ends do, by more than rounding and more than the
-    /// sagitta, c²κ/8 to c²κ/4 over a chord of length c.
+    /// Whether a curve with these sides surely lies beside the line: both ends do, by more than rounding and the sagitta.
     #[inline(always)]
     pub(crate) fn passes_by(&self, curve: &Curve, [a, b]: [f64; 2]) -> bool {
-        let margin = if curve.is_straight() {
-            self.near
-        } else {
-            2.0 * self.near + 0.25 * curve.curvature.abs() * curve.a.distance_squared(curve.b)
-        };
+        let margin = if curve.is_straight() { self.near } else { 2.0 * self.near + curve.sagitta_at_most() };
         (a > margin && b > margin) || (a < -margin && b < -margin)
     }
 

@@ -1,0 +1,84 @@
+use glam::{DVec2, Vec4};
+
+use crate::geometry::box_tree::{Line, Waiting};
+use crate::geometry::{Bounds, Curve, RunTree};
+
+/// Curves in runs that a line finds, and those of a run that it surely passes by.
+#[derive(Clone, Debug)]
+pub(crate) struct CurveTree {
+    runs: RunTree,
+    ends: Vec<Ends>,
+}
+
+/// The ends of the curves in a run side by side, in the tree's units.
+#[derive(Clone, Copy, Debug)]
+struct Ends {
+    /// By axis.
+    a: [[Vec4; 2]; 2],
+    b: [[Vec4; 2]; 2],
+    /// A line passes by whose two sides are alike and beyond this.
+    margin: [Vec4; 2],
+}
+
+impl CurveTree {
+    /// Over curves of at most half a circle each; distances below `near` are rounding.
+    pub(crate) fn new<'a>(curves: impl Iterator<Item = &'a Curve> + Clone, near: f64) -> Self {
+        let runs = RunTree::new(curves.clone().map(|curve| Bounds::from(curve).grown(2.0 * near)));
+        let mut ends = vec![Ends::NONE; runs.around().len()];
+        let places = (0..ends.len()).flat_map(|run| runs.range(run).enumerate().map(move |(slot, _)| (run, slot)));
+        for ((run, slot), curve) in places.zip(curves) {
+            ends[run].set(slot, [curve.a, curve.b].map(|end| runs.tree.local(end)), runs.tree.margin(curve, near));
+        }
+        Self { runs, ends }
+    }
+
+    /// The curves in runs.
+    pub(crate) fn runs(&self) -> &RunTree {
+        &self.runs
+    }
+
+    /// [`BoxTree::along`](crate::geometry::BoxTree::along), for the curves that the line does not surely pass by.
+    #[inline]
+    pub(crate) fn along(
+        &self,
+        from: DVec2,
+        direction: DVec2,
+        begin: f64,
+        waiting: &mut Waiting,
+        mut visit: impl FnMut(usize) -> f64,
+    ) -> u64 {
+        self.runs.tree.along(from, direction, begin, waiting, |line, run| {
+            let (start, mut met) = (self.runs.range(run).start, self.ends[run].met(line));
+            let mut end = f64::INFINITY;
+            while met != 0 {
+                end = end.min(visit(start + met.trailing_zeros() as usize));
+                met &= met - 1;
+            }
+            end
+        })
+    }
+}
+
+impl Ends {
+    const NONE: Self = Self { a: [[Vec4::ZERO; 2]; 2], b: [[Vec4::ZERO; 2]; 2], margin: [Vec4::NEG_INFINITY; 2] };
+
+    fn set(&mut self, slot: usize, [a, b]: [[f32; 2]; 2], margin: f32) {
+        for axis in 0..2 {
+            self.a[axis][slot / 4][slot % 4] = a[axis];
+            self.b[axis][slot / 4][slot % 4] = b[axis];
+        }
+        self.margin[slot / 4][slot % 4] = margin;
+    }
+
+    /// The curves that a line does not surely pass by, a bit each.
+    #[inline]
+    fn met(&self, line: &Line) -> u32 {
+        let mut met = 0;
+        for k in 0..2 {
+            let [a, b] = [&self.a, &self.b].map(|end| line.sides(end[0][k], end[1][k]));
+            let passes = a.min(b).cmpgt(self.margin[k]) | a.max(b).cmplt(-self.margin[k]);
+            met |= (passes.bitmask() ^ 15) << (4 * k);
+        }
+        met
+    }
+}
