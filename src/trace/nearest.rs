@@ -236,7 +236,10 @@ fn put_right(probe: &Probe, passages: &mut [Passage]) {
         None => i32::from(!has_way_out && !is_unbounded),
     };
     for _ in 0..missing.abs() {
-        let helps = |passage: &&mut Passage| passage.gain() == missing.signum();
+        // A medium that has an end has a way out: none is given up for the last, and nothing but one is sought without any.
+        let ways_out = passages.iter().filter(|passage| passage.is_way_out()).count();
+        let is_kept = |passage: &Passage| passage.is_ahead && (ways_out == 0 || ways_out == 1 && passage.is_way_out());
+        let helps = |passage: &&mut Passage| passage.gain() == missing.signum() && (is_unbounded || !is_kept(passage));
         let misplaced = passages.iter_mut().filter(helps).min_by(|u, v| u.against().total_cmp(&v.against()));
         if let Some(passage) = misplaced {
             passage.is_ahead = !passage.is_ahead;

@@ -225,4 +225,23 @@ drifts! {
         (shape: HalfDisk(1.5), at: (1.5, 1.5), rotate: 180, medium: Index(1)),
         (shape: HalfDisk(1.5), at: (-2, 1.5), rotate: 90, medium: Index(1.5))],
         sources: [(light: Ray(from: (-3.5, 1.5), direction: Towards((-0.5000000000000001, 1.4999999999999998))))]";
+
+    two_ways_out_of_a_lens_lie_at_the_start_beside_a_mirror: "bodies: [
+        (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), at: (1000000000, -1000000000),
+            rotate: 277.85003820384156, medium: Index(1.5)),
+        (shape: HalfDisk(1.5), at: (999999998.240895, -999999998.2236133), rotate: 277.85003820384156, medium: Index(2)),
+        (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), at: (1000000001.2810723, -999999998.3091854),
+            rotate: 277.85003820384156, medium: Index(1)),
+        (shape: Lens(radii: (3, -3), thickness: 1.8, diameter: 3), at: (999999998.3091854, -999999998.7189277),
+            rotate: 277.85003820384156, medium: Index(1.5)),
+        (shape: Outline(start: (0, 0), path: [LineTo((2, 0)), ArcTo(through: (3, 1), to: (2, 2)), LineTo((0, 2)),
+            ArcTo(through: (-1, 1), to: (0, 0))]), at: (999999999.7268385, -999999998.0187421),
+            rotate: 457.85003820384156, surface: Mirror)],
+        sources: [
+            (light: Ray(from: (1000000003.0398512, -999999999.3691823),
+                direction: Towards((999999999.7271011, -999999998.020648)))),
+            (light: Ray(from: (999999999.7270992, -999999998.020647),
+                direction: Towards((1000000001.4179159, -999999999.3017201)))),
+            (light: Ray(from: (1000000001.4179159, -999999999.3017203),
+                direction: Towards((999999999.7270993, -999999998.0206472))))]";
 }
