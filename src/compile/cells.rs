@@ -3,25 +3,22 @@
 use crate::compile::leaders::Leaders;
 use crate::compile::lists::Lists;
 use crate::compile::region::{crosses, signed_area};
-use crate::geometry::{Bounds, RunTree};
+use crate::geometry::{Bounds, CurveTree};
 use crate::system::{Cells, Interface, MediumId};
 
 /// A cell has at most this many interfaces: so many are looked at one by one faster than a search finds them.
 const MOST: usize = 12;
 
-/// Finds the cells of a system, `runs` being those of its interfaces.
+/// Finds the cells of a system, `tree` being that of its interfaces.
 ///
 /// Sides of interfaces that share a vertex and a medium bound one stretch of it, or several that touch there; what encloses a
 /// finite area and holds no other boundary of its medium is a cell.
-pub(crate) fn cells(interfaces: &[Interface], runs: &RunTree) -> Cells {
+pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree) -> Cells {
     let groups = groups(interfaces);
     let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], walls: Vec::new() };
     for sides in groups.filled() {
         let walls = walls(sides);
-        if walls.len() > MOST {
-            continue;
-        }
-        if !encloses(interfaces, sides, &walls, runs) {
+        if walls.len() > MOST || !encloses(interfaces, sides, &walls, tree) {
             continue;
         }
         let cell = number(cells.begins.len() - 1);
@@ -42,7 +39,7 @@ fn walls(sides: &[usize]) -> Vec<u32> {
 }
 
 /// Whether sides that belong together enclose a finite stretch of their medium, with no other boundary of it inside.
-fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], runs: &RunTree) -> bool {
+fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], tree: &CurveTree) -> bool {
     let bounds =
         walls.iter().map(|wall| Bounds::from(&interfaces[*wall as usize].curve)).fold(Bounds::EMPTY, Bounds::union);
     let about = bounds.center();
@@ -55,17 +52,14 @@ fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], runs: &Run
     }
     let medium = medium_of(interfaces, sides[0]);
     let mut encloses = true;
-    runs.meeting(bounds, |run| {
-        for place in runs.range(run) {
-            let Interface { curve, left, right, .. } = &interfaces[place];
-            let is_other = (*left == medium || *right == medium) && walls.binary_search(&number(place)).is_err();
-            if encloses && is_other {
-                let middle = curve.midpoint();
-                let bounding =
-                    walls.iter().map(|&wall| &interfaces[wall as usize]).filter(|wall| wall.left != wall.right);
-                let around = bounding.filter(|wall| crosses(&wall.curve, middle));
-                encloses = around.count() % 2 == 0;
-            }
+    tree.meeting(bounds, |place| {
+        let Interface { curve, left, right, .. } = &interfaces[place];
+        let is_other = (*left == medium || *right == medium) && walls.binary_search(&number(place)).is_err();
+        if encloses && is_other {
+            let middle = curve.midpoint();
+            let bounding = walls.iter().map(|&wall| &interfaces[wall as usize]).filter(|wall| wall.left != wall.right);
+            let around = bounding.filter(|wall| crosses(&wall.curve, middle));
+            encloses = around.count() % 2 == 0;
         }
     });
     encloses

@@ -112,7 +112,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
 /// The search tree over interfaces, if it is worth it, and the cells.
 fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<CurveTree>, Cells) {
     let tree = CurveTree::new(interfaces.iter().map(|one| &one.curve), near);
-    let mut cells = cells::cells(interfaces, tree.runs());
+    let mut cells = cells::cells(interfaces, &tree);
     for (place, left) in outlook::outward_sides(interfaces, near) {
         cells.of_sides[place][usize::from(!left)] = Cells::NOTHING;
     }

@@ -48,3 +48,38 @@ fn tip(arc: &Curve) -> Option<DVec2> {
     let cos = ((1.0 - sin) * (1.0 + sin)).max(0.0).sqrt();
     (cos > 0.01).then(|| 0.5 * (arc.a + arc.b) - 0.5 * sin / cos * chord.perp())
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::compile::compile;
+    use crate::scene::Scene;
+    use crate::system::Cells;
+
+    /// How many sides of the interfaces of some bodies see nothing.
+    fn outward(bodies: &str) -> usize {
+        let scene = Scene::from_ron(&format!("(bodies: [{bodies}])")).unwrap();
+        let system = compile(&scene).unwrap().system;
+        system.cells.of_sides.iter().flatten().filter(|cell| **cell == Cells::NOTHING).count()
+    }
+
+    #[test]
+    fn sides_see_nothing_where_the_whole_scene_lies_behind_them() {
+        let triangle = "(shape: Polygon([(0, 0), (4, 0), (0, 3)]), medium: Index(1.5))";
+        assert_eq!(outward(triangle), 3);
+        // An L has an inner corner, whose two sides see each other.
+        let angle = "Polygon([(0, 0), (4, 0), (4, 1), (1, 1), (1, 4), (0, 4)])";
+        assert_eq!(outward(&format!("(shape: {angle}, medium: Index(1.5))")), 4);
+        // A mirror far to the left stands before one side and ends on the line of another; its own left side sees nothing.
+        let mirror = "(shape: Flat(from: (-9, 0), to: (-9, 1)), surface: Mirror)";
+        assert_eq!(outward(&format!("{triangle}, {mirror}")), 2);
+    }
+
+    #[test]
+    fn arcs_see_nothing_on_the_side_to_which_they_bulge() {
+        assert_eq!(outward("(shape: Disk(2), medium: Index(1.5))"), 2);
+        let lens =
+            |radii: &str| format!("(shape: Lens(radii: {radii}, thickness: 2, diameter: 4), medium: Index(1.5))");
+        assert_eq!(outward(&lens("(9, -9)")), 4);
+        assert_eq!(outward(&lens("(-9, -9)")), 3);
+    }
+}

@@ -34,7 +34,7 @@ const ITEM: u32 = 1 << 31;
 /// In `content`, for nothing.
 const NONE: u32 = u32::MAX;
 /// How far boxes are grown, in units of the extent. Rounding boxes and rays to single precision moves them by up to 2^-21.
-pub(super) const PAD: f32 = 1.0 / 1_048_576.0;
+const PAD: f32 = 1.0 / 1_048_576.0;
 /// What waits to be searched: the distance at which a line enters a box, in the tree's units, and what is in the box.
 pub(crate) type Waiting = Vec<(f32, u32)>;
 
@@ -115,6 +115,10 @@ impl BoxTree {
             if d < 0.0 { [t[1], t[0]] } else { t }
         });
         let (entry, exit) = (x[0].max(y[0]).max(begin), x[1].min(y[1]));
+        // Each is good to a few ulp.
+        if entry - exit > 16.0 * f64::EPSILON * (entry.abs() + exit.abs()) {
+            return None;
+        }
         // Where rounding on the way to the tree is not small against its boxes, everything counts.
         let is_far = (from.abs().max_element() + entry.abs()) * 16.0 * f64::EPSILON > 0.25 * pad;
         if is_far {

@@ -32,9 +32,9 @@ impl CurveTree {
         Self { runs, ends }
     }
 
-    /// The curves in runs.
-    pub(crate) fn runs(&self) -> &RunTree {
-        &self.runs
+    /// Visits at least the curves whose boxes share a point with `bounds`.
+    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
+        self.runs.meeting(bounds, |run| self.runs.range(run).for_each(&mut visit));
     }
 
     /// [`BoxTree::along`](crate::geometry::BoxTree::along), for the curves that the line does not surely pass by.
@@ -80,5 +80,30 @@ impl Ends {
             met |= (passes.bitmask() ^ 15) << (4 * k);
         }
         met
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::Turn;
+
+    #[test]
+    fn a_line_finds_the_curves_that_it_meets_and_few_others() {
+        let corner = |k: i32| Turn::degrees(45.0 * f64::from(k)).direction();
+        let edges: Vec<_> = (0..8).map(|k| Curve::line(corner(k), corner(k + 1))).collect();
+        let found = |curves: &[Curve], y: f64| {
+            let (mut found, mut waiting) = (Vec::new(), Waiting::new());
+            CurveTree::new(curves.iter(), 1e-12).along(DVec2::new(-3.0, y), DVec2::X, 0.0, &mut waiting, |place| {
+                found.push(place);
+                f64::INFINITY
+            });
+            found
+        };
+        assert_eq!(found(&edges, 0.3), [0, 3]);
+        assert_eq!(found(&edges, 0.8), [1, 2]);
+        // Both ends of an arc lie on one side of a line that meets its bulge; the other line misses its box.
+        let arc = [Curve::arc(DVec2::new(1.0, 0.6), DVec2::new(0.0, 0.8), DVec2::new(-1.0, 0.6)).unwrap()];
+        assert_eq!((found(&arc, 0.79).len(), found(&arc, 0.5).len()), (1, 0));
     }
 }

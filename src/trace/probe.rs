@@ -172,8 +172,7 @@ impl<'a> Probe<'a> {
     #[inline(always)]
     fn edge(&self, index: usize, candidate: &Interface) -> Option<Met> {
         let sides = self.sides(&candidate.curve);
-        let is_sure = sides.iter().all(|side| side.abs() > self.near);
-        if is_sure && (sides[0] > 0.0) == (sides[1] > 0.0) {
+        if self.passes_by(&candidate.curve, sides) {
             return None;
         }
         if matches!(self.ray.start, Start::AtVertex(vertex) if candidate.ends.contains(&vertex)) || index == self.edge {
