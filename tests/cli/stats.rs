@@ -86,7 +86,7 @@ fn segments_that_another_line_spares_are_counted() {
 #[test]
 fn nodes_are_counted_where_there_is_a_tree() {
     let walls = |number: u32| {
-        let wall = |k| format!("(shape: Polygon([({k}, 9), ({k}.5, 9), ({k}, 9.5)]), medium: Index(1.5))");
+        let wall = |k| format!("(shape: Polygon([({k}, 0), ({k}.5, 0), ({k}, 3)]), medium: Index(1.5))");
         let bodies: Vec<_> = (0..number).map(wall).collect();
         traced(&scene(&bodies.join(", "), RAY, ""), "search")
     };
