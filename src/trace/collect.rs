@@ -1,17 +1,23 @@
 //! All rays of a system, many at a time, their results in one order.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::light::Wavelength;
 use crate::system::OpticalSystem;
-use crate::trace::summary::RaySummary;
+use crate::trace::summary::LightSummary;
 use crate::trace::tracer::{Leg, Record, Tracer};
 use crate::trace::{Segment, TracedRay, Visitor, Work};
 
-/// One ray at one line, followed: its branches if they were asked for, and what became of its light.
-pub(crate) struct Part {
-    pub(crate) ray: TracedRay,
-    pub(crate) summary: RaySummary,
+/// Rays in a row, followed at all their lines: their branches if they were asked for, and what became of their light.
+#[derive(Clone, Default)]
+pub(crate) struct Stretch {
+    /// Their places in the plan.
+    jobs: Range<usize>,
+    /// Empty if they were not asked for.
+    pub(crate) rays: Vec<TracedRay>,
+    pub(crate) summary: LightSummary,
     pub(crate) work: Work,
 }
 
@@ -27,12 +33,11 @@ pub(crate) fn visit_with<'a>(mut tracer: Tracer<'a>, plan: &'a Plan<'a>, visitor
     for job in 0..plan.jobs() {
         let (source, ray) = plan.job(job);
         let placed = &plan.system.sources[source];
-        for (line, wavelength) in placed.lines.iter().enumerate() {
+        for line in 0..placed.lines.len() {
             let traced = plan.ray(source, ray, line);
-            let indices = plan.indices(*wavelength);
-            let (mut show, mut work) = (Show { ray: &traced, visitor }, Work::default());
-            tracer.follow(&placed.starts[ray], placed.power, indices, left, &mut work, &mut show);
-            left -= work.followed;
+            let indices = plan.indices(traced.wavelength);
+            let mut show = Show { ray: &traced, visitor };
+            left -= tracer.follow(&placed.starts[ray], placed.power, indices, left, &mut show);
         }
     }
 }
@@ -53,8 +58,7 @@ impl<V: Visitor> Record for Show<'_, V> {
 /// Counts what becomes of a ray's light, and tells how far it is.
 struct Count<'a> {
     ray: &'a TracedRay,
-    summary: &'a mut RaySummary,
-    told: u64,
+    summary: &'a mut LightSummary,
     progress: &'a (dyn Fn(u64) + Sync),
 }
 
@@ -62,10 +66,16 @@ impl Record for Count<'_> {
     #[inline(always)]
     fn record(&mut self, leg: &Leg) {
         self.summary.count(self.ray, leg);
-        if self.summary.segments - self.told == ALONE {
-            self.told = self.summary.segments;
-            (self.progress)(ALONE);
+        if self.summary.segments - self.summary.told == ALONE {
+            self.tell();
         }
+    }
+}
+
+impl Count<'_> {
+    #[cold]
+    fn tell(&mut self) {
+        self.summary.tell(self.progress);
     }
 }
 
@@ -85,55 +95,54 @@ impl Record for Keep<'_, '_> {
 
 /// So many segments are followed before other threads are asked for help: starting them takes as long.
 const ALONE: u64 = 16_384;
-/// Rays in one batch at most.
-const BATCH: u64 = 1024;
-/// Parts of a batch, one of which a thread takes at a time.
-const CHUNKS: u64 = 64;
+/// Stretches that are followed at once, at most.
+const STRETCHES: u64 = 1024;
+/// Rays in a stretch at most.
+const RAYS: usize = 64;
+/// Of the first stretch, the others have such a part.
+const PART: usize = 16;
 
-/// Follows every ray of the system and hands the parts on in order. The segments that the system's limit allows are spent in
-/// that order too: the result does not depend on the number of threads. `progress` hears now and then how many more segments
-/// there are.
+/// Follows every ray of the system and hands them on in order, in stretches. The segments that the system's limit allows are spent
+/// in that order too. Neither the result nor where a stretch ends depends on the number of threads: the first ends where so many
+/// segments are followed that others could help, and tells how many rays are worth the trouble of one more stretch. `progress` hears
+/// now and then how many more segments there are.
 pub(crate) fn collect(
     system: &OpticalSystem,
     keeps_tree: bool,
     progress: &(dyn Fn(u64) + Sync),
-    mut keep: impl FnMut(&mut Part),
+    mut keep: impl FnMut(Stretch),
 ) {
     let plan = Plan::new(system);
-    let most = system.settings.max_segments;
-    let (mut left, mut longest, mut next) = (most, 1, 0);
-    let mut alone = Worker::new(system, &plan, keeps_tree, progress);
-    let mut batches = vec![Vec::new()];
+    let worker = || Worker::new(system, &plan, keeps_tree, progress);
+    let mut alone = worker();
+    let mut left = system.settings.max_segments;
+    let mut first = Stretch::default();
+    while first.jobs.end < plan.jobs() && first.work.followed < ALONE.min(left) {
+        alone.ray(&mut first, left);
+    }
+    alone.end(&mut first);
+    let (mut longest, mut next) = (first.work.followed.max(1), first.jobs.end);
+    let rays = (next / PART).clamp(1, RAYS);
+    left -= first.work.followed;
+    keep(first);
     while next < plan.jobs() {
-        if most - left < ALONE && left > 0 {
-            batches[0].clear();
-            alone.lines(next, left, &mut batches[0]);
-            next += 1;
-        } else {
-            let threads = number(rayon::current_num_threads()).min(BATCH);
-            let batch = if left == 0 { BATCH } else { (left / longest).clamp(threads, BATCH) };
-            let end = plan.jobs().min(next + place(batch));
-            let chunk = place(batch / CHUNKS).max(1);
-            batches.clear();
-            let worker = || Worker::new(system, &plan, keeps_tree, progress);
-            let chunks = (0..(end - next).div_ceil(chunk)).into_par_iter().map_init(worker, |worker, k| {
-                let begin = next + k * chunk;
-                let mut parts = Vec::with_capacity(chunk);
-                (begin..end.min(begin + chunk)).for_each(|job| worker.lines(job, left, &mut parts));
-                parts
-            });
-            batches = chunks.collect();
-            next = end;
-        }
-        for part in batches.iter_mut().flatten() {
-            longest = longest.max(part.work.followed);
-            if part.work.followed > left {
-                *part = part.anew();
-                alone.follow(part, left);
+        let threads = number(rayon::current_num_threads()).min(STRETCHES);
+        let most = if left == 0 { STRETCHES } else { (left / longest).clamp(threads, STRETCHES) };
+        let end = plan.jobs().min(next + rays * place(most));
+        let follow = |worker: &mut Worker, k: usize| {
+            let begin = next + k * rays;
+            worker.follow(begin..end.min(begin + rays), left)
+        };
+        let stretches = (0..(end - next).div_ceil(rays)).into_par_iter().map_init(worker, follow);
+        for mut stretch in stretches.collect::<Vec<_>>() {
+            longest = longest.max(stretch.work.followed);
+            if stretch.work.followed > left {
+                stretch = alone.follow(stretch.jobs, left);
             }
-            left -= part.work.followed;
-            keep(part);
+            left -= stretch.work.followed;
+            keep(stretch);
         }
+        next = end;
     }
 }
 
@@ -208,66 +217,86 @@ impl<'a> Worker<'a> {
         Self { plan, tracer: Tracer::new(system), keeps_tree, segments: Vec::new(), progress }
     }
 
-    /// Follows a ray at all its lines, with at most so many segments. Light that depends on no index that changes with the
-    /// wavelength is followed once.
-    fn lines(&mut self, job: usize, most: u64, parts: &mut Vec<Part>) {
-        let (source, ray) = self.plan.job(job);
-        let lines = &self.plan.system.sources[source].lines;
-        let (mut left, first) = (most, parts.len());
-        for (line, wavelength) in lines.iter().enumerate() {
-            let known = parts.get(first).filter(|first| !first.work.disperses && first.work.followed <= left);
-            if let Some(known) = known {
-                let part = known.at(*wavelength);
-                left -= part.work.followed;
-                parts.push(part);
-            } else {
-                parts.push(Part::new(self.plan.ray(source, ray, line)));
-                if let Some(part) = parts.last_mut() {
-                    self.follow(part, left);
-                    left -= part.work.followed;
-                }
-            }
+    /// Follows rays in a row, with at most so many segments.
+    fn follow(&mut self, jobs: Range<usize>, most: u64) -> Stretch {
+        let mut stretch = Stretch { jobs: jobs.start..jobs.start, ..Stretch::default() };
+        jobs.for_each(|_| self.ray(&mut stretch, most));
+        self.end(&mut stretch);
+        stretch
+    }
+
+    /// Follows the ray after a stretch and adds it to that, which then has at most so many segments.
+    fn ray(&mut self, stretch: &mut Stretch, most: u64) {
+        let (source, ray) = self.plan.job(stretch.jobs.end);
+        stretch.jobs.end += 1;
+        if self.plan.system.sources[source].lines.len() == 1 {
+            self.line(stretch, (source, ray, 0), most);
+        } else {
+            self.end(stretch);
+            self.lines(stretch, (source, ray), most);
         }
     }
 
-    /// Follows the ray of a part.
-    fn follow(&mut self, part: &mut Part, most: u64) {
-        let Part { ray, summary, work } = part;
-        let placed = &self.plan.system.sources[ray.source];
-        let indices = self.plan.indices(ray.wavelength);
+    /// Follows a ray at all its lines. Light that depends on no index that changes with the wavelength is followed once.
+    fn lines(&mut self, stretch: &mut Stretch, (source, ray): (usize, usize), most: u64) {
+        let mut known: Option<Stretch> = None;
+        for (line, wavelength) in self.plan.system.sources[source].lines.iter().enumerate() {
+            let left = most - stretch.work.followed;
+            if let Some(known) = known.as_ref().filter(|known| known.work.followed <= left) {
+                stretch.append(known.at(*wavelength));
+                continue;
+            }
+            let mut one = Stretch::default();
+            self.line(&mut one, (source, ray, line), left);
+            self.end(&mut one);
+            if line == 0 && !one.work.disperses {
+                known = Some(one.clone());
+            }
+            stretch.append(one);
+        }
+    }
+
+    /// Follows a ray at one line.
+    fn line(&mut self, stretch: &mut Stretch, (source, ray, line): (usize, usize, usize), most: u64) {
+        let placed = &self.plan.system.sources[source];
+        let mut traced = self.plan.ray(source, ray, line);
+        let (start, indices) = (&placed.starts[ray], self.plan.indices(traced.wavelength));
+        let left = most - stretch.work.followed;
         let Self { tracer, segments, progress, .. } = self;
-        let start = &placed.starts[ray.ray];
-        let mut count = Count { ray, summary, told: 0, progress: *progress };
+        let mut count = Count { ray: &traced, summary: &mut stretch.summary, progress: *progress };
         // Apart, so that no segment is made where none is kept.
-        if self.keeps_tree {
+        stretch.work.followed += if self.keeps_tree {
             segments.clear();
-            let mut keep = Keep { count: &mut count, segments };
-            tracer.follow(start, placed.power, indices, most, work, &mut keep);
+            tracer.follow(start, placed.power, indices, left, &mut Keep { count: &mut count, segments })
         } else {
-            tracer.follow(start, placed.power, indices, most, work, &mut count);
-        }
-        progress(count.summary.segments - count.told);
+            tracer.follow(start, placed.power, indices, left, &mut count)
+        };
         if self.keeps_tree {
-            ray.segments = self.segments.as_slice().to_vec();
+            traced.segments = self.segments.as_slice().to_vec();
+            stretch.rays.push(traced);
         }
+    }
+
+    /// Adds to a stretch what its rays took.
+    fn end(&mut self, stretch: &mut Stretch) {
+        stretch.work.add(&self.tracer.take_work());
+        stretch.summary.tell(self.progress);
     }
 }
 
-impl Part {
-    /// A ray that is still to be followed.
-    fn new(ray: TracedRay) -> Self {
-        Self { ray, summary: RaySummary::default(), work: Work::default() }
-    }
-
-    fn anew(&self) -> Self {
-        Self::new(TracedRay { segments: Vec::new(), ..self.ray })
+impl Stretch {
+    fn append(&mut self, mut other: Self) {
+        self.rays.append(&mut other.rays);
+        self.summary.append(other.summary);
+        self.work.add(&other.work);
     }
 
     /// The same light at another wavelength, which changes nothing on its way.
     fn at(&self, wavelength: Wavelength) -> Self {
-        let mut summary = self.summary.clone();
-        summary.landed.iter_mut().for_each(|(_, hit)| hit.wavelength = wavelength);
-        Self { ray: TracedRay { wavelength, ..self.ray.clone() }, summary, work: self.work.spared() }
+        let mut same = Self { work: self.work.spared(), ..self.clone() };
+        same.rays.iter_mut().for_each(|ray| ray.wavelength = wavelength);
+        same.summary.landed.iter_mut().for_each(|(_, hit)| hit.wavelength = wavelength);
+        same
     }
 }
 

@@ -69,13 +69,11 @@ pub fn summarize_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)
 
 fn gather(system: &OpticalSystem, mut tree: Option<&mut RayTree>, progress: &(dyn Fn(u64) + Sync)) -> Summary {
     let mut summary = Summary::new(system);
-    collect(system, tree.is_some(), progress, |part| {
-        summary.rays += 1;
-        summary.work.add(&part.work);
-        summary.add(&mut part.summary);
+    collect(system, tree.is_some(), progress, |stretch| {
+        summary.work.add(&stretch.work);
+        summary.add(stretch.summary);
         if let Some(tree) = &mut tree {
-            let segments = std::mem::take(&mut part.ray.segments);
-            tree.rays.push(TracedRay { segments, ..part.ray });
+            tree.rays.extend(stretch.rays);
         }
     });
     summary

@@ -19,10 +19,13 @@ pub struct Summary {
     pub work: Work,
 }
 
-/// What became of the light of one ray at one line.
+/// What became of the light of some rays.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct RaySummary {
+pub(crate) struct LightSummary {
+    rays: u64,
     pub(crate) segments: u64,
+    /// Of these, those of which somebody was told.
+    pub(crate) told: u64,
     balance: PowerBalance,
     /// What landed on screens, by body.
     pub(crate) landed: Vec<(usize, ScreenHit)>,
@@ -147,11 +150,12 @@ impl Summary {
         Self { screens, ..Self::default() }
     }
 
-    /// Adds what became of one ray.
-    pub(crate) fn add(&mut self, ray: &mut RaySummary) {
-        self.segments += ray.segments;
-        self.balance.add(&ray.balance);
-        self.land(ray.landed.drain(..));
+    /// Adds what became of more light.
+    pub(crate) fn add(&mut self, light: LightSummary) {
+        self.rays += light.rays;
+        self.segments += light.segments;
+        self.balance.add(&light.balance);
+        self.land(light.landed);
     }
 
     fn land(&mut self, landed: impl IntoIterator<Item = (usize, ScreenHit)>) {
@@ -163,14 +167,29 @@ impl Summary {
     }
 }
 
-impl RaySummary {
+impl LightSummary {
     #[inline(always)]
     pub(crate) fn count(&mut self, ray: &TracedRay, leg: &Leg) {
+        self.rays += u64::from(leg.id.0 == 0);
         self.segments += 1;
         self.balance.count(leg.id, leg.ending, leg.power(), leg.absorptance());
         if leg.ending == Ending::Detected {
             self.landed.extend(leg.landed().map(|landed| landing(ray, leg.id, leg.power(), landed)));
         }
+    }
+
+    /// Tells how many segments have come since it told last.
+    pub(crate) fn tell(&mut self, progress: &dyn Fn(u64)) {
+        progress(self.segments - self.told);
+        self.told = self.segments;
+    }
+
+    pub(crate) fn append(&mut self, mut other: Self) {
+        self.rays += other.rays;
+        self.segments += other.segments;
+        self.told += other.told;
+        self.balance.add(&other.balance);
+        self.landed.append(&mut other.landed);
     }
 }
 

@@ -113,16 +113,15 @@ impl<'a> Tracer<'a> {
     }
 
     /// Follows a ray at a line to the end of all its branches, at most `most` segments, transmitted before reflected. `indices`
-    /// holds the index of every medium at that line. `work` tells what that took.
+    /// holds the index of every medium at that line. Returns how many segments it followed.
     pub(crate) fn follow(
         &mut self,
         start: &RayStart,
         power: Power,
         indices: &'a [f64],
         most: u64,
-        work: &mut Work,
         record: &mut impl Record,
-    ) {
+    ) -> u64 {
         self.indices = indices;
         self.segments_left = most;
         let RayStart { from, direction, medium, start } = *start;
@@ -148,9 +147,12 @@ impl<'a> Tracer<'a> {
             self.waiting.pop();
             branch = waiting;
         }
-        self.work.followed = most - self.segments_left;
-        self.work.nodes = std::mem::take(&mut self.search.nodes);
-        *work = std::mem::take(&mut self.work);
+        most - self.segments_left
+    }
+
+    /// What following took since this was asked last, but for how many segments were followed.
+    pub(crate) fn take_work(&mut self) -> Work {
+        Work { nodes: std::mem::take(&mut self.search.nodes), ..std::mem::take(&mut self.work) }
     }
 
     /// Follows one branch to its end. Of what it spawns it returns the transmitted ray, to be followed next, and queues the
