@@ -2,6 +2,7 @@
 
 use crate::compile::leaders::Leaders;
 use crate::compile::lists::Lists;
+use crate::compile::outlook::is_behind;
 use crate::compile::region::{crosses, signed_area};
 use crate::geometry::{Bounds, CurveTree};
 use crate::system::{Cells, Interface, MediumId};
@@ -13,14 +14,16 @@ const MOST: usize = 12;
 ///
 /// Sides of interfaces that share a vertex and a medium bound one stretch of it, or several that touch there; what encloses a
 /// finite area and holds no other boundary of its medium is a cell.
-pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree) -> Cells {
+pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree, near: f64) -> Cells {
     let groups = groups(interfaces);
-    let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], walls: Vec::new() };
-    for sides in groups.filled() {
-        let walls = walls(sides);
-        if walls.len() > MOST || !encloses(interfaces, sides, &walls, tree) {
-            continue;
-        }
+    let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], ..Cells::default() };
+    let enclosing = groups.filled().map(|sides| (sides, walls(sides)));
+    let enclosing =
+        enclosing.filter(|(sides, walls)| walls.len() <= MOST && encloses(interfaces, sides, walls, tree));
+    let (convex, others): (Vec<_>, Vec<_>) =
+        enclosing.partition(|(sides, walls)| is_convex(interfaces, sides, walls, near));
+    cells.last_convex = number(convex.len());
+    for (sides, walls) in convex.into_iter().chain(others) {
         let cell = number(cells.begins.len() - 1);
         for &side in sides {
             cells.of_sides[side / 2][side % 2] = cell;
@@ -29,6 +32,12 @@ pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree) -> Cells {
         cells.begins.push(number(cells.walls.len()));
     }
     cells
+}
+
+/// Whether all walls of a cell lie behind the tangents of each, seen from outside.
+fn is_convex(interfaces: &[Interface], sides: &[usize], walls: &[u32], near: f64) -> bool {
+    let walls = || walls.iter().map(|wall| &interfaces[*wall as usize]);
+    sides.iter().all(|side| is_behind(walls(), &interfaces[side / 2], !side.is_multiple_of(2), near))
 }
 
 /// The interfaces of sides in order, each once.

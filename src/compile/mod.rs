@@ -112,7 +112,13 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
 /// The search tree over interfaces, if it is worth it, and the cells.
 fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<CurveTree>, Cells) {
     let tree = CurveTree::new(interfaces.iter().map(|one| &one.curve), near);
-    let mut cells = cells::cells(interfaces, &tree);
+    let mut cells = cells::cells(interfaces, &tree, near);
+    for (number, run) in (0..).zip(tree.runs()) {
+        for (place, left) in outlook::outward_sides(&interfaces[run.clone()], near) {
+            let cell = &mut cells.of_sides[run.start + place][usize::from(!left)];
+            *cell = if *cell == Cells::OPEN { Cells::open(number) } else { *cell };
+        }
+    }
     for (place, left) in outlook::outward_sides(interfaces, near) {
         cells.of_sides[place][usize::from(!left)] = Cells::NOTHING;
     }

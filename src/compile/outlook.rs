@@ -14,30 +14,33 @@ pub(crate) fn outward_sides(interfaces: &[Interface], near: f64) -> Vec<(usize, 
         return Vec::new();
     }
     let sides = (0..interfaces.len()).flat_map(|place| [(place, true), (place, false)]);
-    sides.filter(|&(place, left)| sees_nothing(interfaces, place, left, near)).collect()
+    sides.filter(|&(place, left)| is_behind(interfaces.iter(), &interfaces[place], left, near)).collect()
 }
 
-/// Whether all interfaces lie behind the tangents of one: an edge's line, or the lines that touch an arc, which bulges to that
-/// side.
-fn sees_nothing(interfaces: &[Interface], place: usize, left: bool, near: f64) -> bool {
-    let one = &interfaces[place];
+/// Whether interfaces lie behind the tangents of one of them, seen from a side: an edge's line, or the lines that touch an arc,
+/// which bulges to that side.
+pub(super) fn is_behind<'a>(
+    mut interfaces: impl Iterator<Item = &'a Interface>,
+    one: &Interface,
+    left: bool,
+    near: f64,
+) -> bool {
     let sense = if left { 1.0 } else { -1.0 };
     if one.curve.curvature * sense > 0.0 {
         return false;
     }
     // What lies behind the tangents at an arc's ends and behind its chord lies behind every tangent between.
-    let is_behind = |p: DVec2| {
+    let is_point_behind = |p: DVec2| {
         let behind = |end: DVec2| sense * one.curve.normal_at(end).dot(p - end) < -near;
         let chord = sense * (one.curve.b - one.curve.a).normalize().perp();
         behind(one.curve.a) && behind(one.curve.b) && chord.dot(p - one.curve.a) < -near
     };
-    interfaces.iter().enumerate().all(|(k, other)| {
+    interfaces.all(|other| {
         let is_known = |end: usize| one.ends.contains(&other.ends[end]);
-        k == place
-            || other.curve.same_circle(&one.curve)
-            || ((is_known(0) || is_behind(other.curve.a))
-                && (is_known(1) || is_behind(other.curve.b))
-                && (other.curve.is_straight() || tip(&other.curve).is_some_and(is_behind)))
+        other.curve.same_circle(&one.curve)
+            || ((is_known(0) || is_point_behind(other.curve.a))
+                && (is_known(1) || is_point_behind(other.curve.b))
+                && (other.curve.is_straight() || tip(&other.curve).is_some_and(is_point_behind)))
     })
 }
 

@@ -39,6 +39,9 @@ const PAD: f32 = 1.0 / 1_048_576.0;
 pub(crate) type Waiting = Vec<(f32, u32)>;
 
 impl BoxTree {
+    /// The place of no box.
+    pub(crate) const NO_BOX: u32 = !ITEM;
+
     /// A tree over at most 2^31 − 1 boxes. Boxes beyond that are left out.
     pub(crate) fn new(boxes: &[Bounds]) -> Self {
         let bounds = boxes.iter().fold(Bounds::EMPTY, |all, one| all.union(*one));
@@ -73,12 +76,13 @@ impl BoxTree {
 
     /// Visits the boxes that a line meets at a distance of at least `begin` from its point `from` along the unit vector
     /// `direction`, about in the order in which it meets them. `visit` returns the distance beyond which nothing counts any
-    /// more. Returns how many nodes were looked at. `waiting` is working memory.
+    /// more. The box at place `left_out` is not visited. Returns how many nodes were looked at. `waiting` is working memory.
     pub(super) fn along(
         &self,
         from: DVec2,
         direction: DVec2,
         begin: f64,
+        left_out: u32,
         waiting: &mut Waiting,
         mut visit: impl FnMut(&Line, usize) -> f64,
     ) -> u64 {
@@ -90,7 +94,7 @@ impl BoxTree {
             next = None;
             if content & ITEM == 0 {
                 looked_at += 1;
-                next = self.nodes[content as usize].nearest_met(&line, end, waiting);
+                next = self.nodes[content as usize].nearest_met(&line, end, left_out | ITEM, waiting);
             } else if content != NONE {
                 end = end.min(line.until(visit(&line, (content & !ITEM) as usize)));
             }
@@ -191,15 +195,19 @@ impl Node {
         self.content[slot] = content;
     }
 
-    /// What the line meets first, before `end`; what else it meets goes on the list, the nearest last.
+    /// What the line meets first, before `end`; what else it meets goes on the list, the nearest last. Of its
+    /// contents one is left out.
     #[inline]
-    fn nearest_met(&self, line: &Line, end: f32, waiting: &mut Waiting) -> Option<u32> {
+    fn nearest_met(&self, line: &Line, end: f32, left_out: u32, waiting: &mut Waiting) -> Option<u32> {
         let [x, y] = [0, 1].map(|axis| {
             let t = |end: usize| (self.ends[axis][end] - line.origin[axis]) * line.inverse[axis];
             (t(line.near[axis]), t(1 - line.near[axis]))
         });
         let (entry, exit) = (x.0.max(y.0).max(Vec4::ZERO), x.1.min(y.1).min(Vec4::splat(end)));
         let mut met = entry.cmple(exit).bitmask();
+        for slot in 0..4 {
+            met &= !(u32::from(self.content[slot] == left_out) << slot);
+        }
         let entry = entry.to_array();
         let mut take = || {
             let slot = met.trailing_zeros() as usize;
@@ -297,7 +305,7 @@ mod tests {
                 for (away, begin) in [(0.1, 0.0), (3.0, 0.0), (3.0, f64::NEG_INFINITY), (1e13, f64::NEG_INFINITY)] {
                     let from = shift + DVec2::splat(0.5) - away * direction;
                     let mut found = vec![false; boxes.len()];
-                    tree.along(from, direction, begin, &mut Waiting::new(), |_, place| {
+                    tree.along(from, direction, begin, BoxTree::NO_BOX, &mut Waiting::new(), |_, place| {
                         found[place] = true;
                         f64::INFINITY
                     });
@@ -328,7 +336,7 @@ mod tests {
             (0..4096).map(|k| Bounds::of([DVec2::new(f64::from(k), -1.0), DVec2::new(f64::from(k), 1.0)])).collect();
         let tree = BoxTree::new(&row);
         let mut first = None;
-        let looked_at = tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, &mut Waiting::new(), |_, place| {
+        let looked_at = tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, BoxTree::NO_BOX, &mut Waiting::new(), |_, place| {
             first.get_or_insert(place);
             f64::from(u32::try_from(place).unwrap()) + 1.0
         });

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use glam::{DVec2, Vec4};
 
 use crate::geometry::box_tree::{Line, Waiting};
@@ -37,17 +39,24 @@ impl CurveTree {
         self.runs.meeting(bounds, |run| self.runs.range(run).for_each(&mut visit));
     }
 
-    /// [`BoxTree::along`](crate::geometry::BoxTree::along), for the curves that the line does not surely pass by.
+    /// The curves in runs, by their places.
+    pub(crate) fn runs(&self) -> impl Iterator<Item = Range<usize>> {
+        (0..self.ends.len()).map(|run| self.runs.range(run))
+    }
+
+    /// [`BoxTree::along`](crate::geometry::BoxTree::along), for the curves that the line does not surely pass by; the run
+    /// `left_behind` is left out.
     #[inline]
     pub(crate) fn along(
         &self,
         from: DVec2,
         direction: DVec2,
         begin: f64,
+        left_behind: u32,
         waiting: &mut Waiting,
         mut visit: impl FnMut(usize) -> f64,
     ) -> u64 {
-        self.runs.tree.along(from, direction, begin, waiting, |line, run| {
+        self.runs.tree.along(from, direction, begin, left_behind, waiting, |line, run| {
             let (start, mut met) = (self.runs.range(run).start, self.ends[run].met(line));
             let mut end = f64::INFINITY;
             while met != 0 {
@@ -86,6 +95,7 @@ impl Ends {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::BoxTree;
     use crate::numerics::Turn;
 
     #[test]
@@ -94,7 +104,7 @@ mod tests {
         let edges: Vec<_> = (0..8).map(|k| Curve::line(corner(k), corner(k + 1))).collect();
         let found = |curves: &[Curve], y: f64| {
             let (mut found, mut waiting) = (Vec::new(), Waiting::new());
-            CurveTree::new(curves.iter(), 1e-12).along(DVec2::new(-3.0, y), DVec2::X, 0.0, &mut waiting, |place| {
+            CurveTree::new(curves.iter(), 1e-12).along(DVec2::new(-3.0, y), DVec2::X, 0.0, BoxTree::NO_BOX, &mut waiting, |place| {
                 found.push(place);
                 f64::INFINITY
             });

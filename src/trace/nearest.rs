@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use crate::geometry::{Curve, Waiting};
+use crate::geometry::{BoxTree, Curve, Waiting};
 use crate::system::{Cells, Interface, MediumId, OpticalSystem, Start};
 use crate::trace::probe::{Met, Probe};
 
@@ -86,15 +86,18 @@ impl<'a> Search<'a> {
     #[inline(always)]
     fn first(&mut self, ray: &Ray, cell: u32) -> Option<Crossing> {
         let probe = Probe::new(self.system, *ray);
-        let cell = self.system.cells.walls(cell);
+        let is_convex = cell <= self.system.cells.last_convex;
+        let (left_behind, cell) = (Cells::left_behind(cell), self.system.cells.walls(cell));
         let mut first = First::NONE;
         match cell {
             Some(cell) => {
                 for &place in cell {
-                    first.look(&probe, place as usize);
+                    if first.look(&probe, place as usize) && is_convex {
+                        break;
+                    }
                 }
             }
-            None => first = self.look_everywhere(probe),
+            None => first = self.look_everywhere(probe, left_behind),
         }
         let is_none = first.place == First::NONE.place;
         let is_lost = is_none && (cell.is_some() || ray.medium != self.system.surroundings);
@@ -110,9 +113,9 @@ impl<'a> Search<'a> {
 
     /// Apart, since it takes more of the processor than a look at a cell.
     #[inline(never)]
-    fn look_everywhere(&mut self, probe: Probe) -> First {
+    fn look_everywhere(&mut self, probe: Probe, left_behind: u32) -> First {
         let mut first = First::NONE;
-        self.candidates(&probe.ray, 0.0, |place| {
+        self.candidates(&probe.ray, 0.0, left_behind, |place| {
             first.look(&probe, place);
             first.reach
         });
@@ -128,7 +131,7 @@ impl<'a> Search<'a> {
         let is_lost = is_lost || self.skips_nothing;
         let mut all = Vec::new();
         let (begin, end) = if is_lost { (f64::NEG_INFINITY, f64::INFINITY) } else { (0.0, reach) };
-        self.candidates(&probe.ray, begin, |place| {
+        self.candidates(&probe.ray, begin, BoxTree::NO_BOX, |place| {
             passages(&probe, place, |passage| all.push(passage));
             end
         });
@@ -142,12 +145,18 @@ impl<'a> Search<'a> {
 
     /// Visits interfaces of the whole system, at least all whose crossings are at a distance between `begin` and what `visit`
     /// returned last.
-    fn candidates(&mut self, ray: &Ray, begin: f64, mut visit: impl FnMut(usize) -> f64) {
+    fn candidates(
+        &mut self,
+        ray: &Ray,
+        begin: f64,
+        left_behind: u32,
+        mut visit: impl FnMut(usize) -> f64,
+    ) {
         let tree = self.system.tree.as_ref();
         #[cfg(test)]
         let tree = tree.filter(|_| !self.skips_nothing);
         if let Some(tree) = tree {
-            self.nodes += tree.along(ray.from, ray.direction, begin, &mut self.waiting, visit);
+            self.nodes += tree.along(ray.from, ray.direction, begin, left_behind, &mut self.waiting, visit);
         } else {
             for place in 0..self.system.interfaces.len() {
                 visit(place);
@@ -181,15 +190,16 @@ impl First {
         is_in_doubt: false,
     };
 
+    /// Returns whether the ray plainly leaves by an interface.
     #[inline(always)]
-    fn look(&mut self, probe: &Probe, place: usize) {
+    fn look(&mut self, probe: &Probe, place: usize) -> bool {
         let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
         let sides = probe.sides(&interface.curve);
         if probe.passes_by(&interface.curve, sides) || place == probe.edge {
-            return;
+            return false;
         }
         if !interface.bounds(medium) {
-            return;
+            return false;
         }
         let met = if interface.curve.is_straight() { probe.plain_edge(interface, sides) } else { None };
         match met {
@@ -199,20 +209,22 @@ impl First {
                 let (probe, mut found) = (*probe, *self);
                 found.meet(&probe, place);
                 *self = found;
+                false
             }
         }
     }
 
     #[inline(never)]
     fn meet(&mut self, probe: &Probe, place: usize) {
-        passages(probe, place, |passage| self.take(&passage));
+        passages(probe, place, |passage| _ = self.take(&passage));
     }
 
+    /// Returns whether it leads out.
     #[inline(always)]
-    fn take(&mut self, passage: &Passage) {
+    fn take(&mut self, passage: &Passage) -> bool {
         self.is_in_doubt |= passage.is_in_doubt;
         if !passage.is_way_out() {
-            return;
+            return false;
         }
         let Crossing { interface, distance, from_left } = passage.crossing;
         self.reach = self.reach.min(passage.reach);
@@ -222,6 +234,7 @@ impl First {
         } else if distance < self.next {
             self.next = distance;
         }
+        true
     }
 }
 
