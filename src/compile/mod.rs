@@ -122,7 +122,11 @@ fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<CurveTree>, C
     for (place, left) in outlook::outward_sides(interfaces, near) {
         cells.of_sides[place][usize::from(!left)] = Cells::NOTHING;
     }
-    ((interfaces.len() > FEW).then_some(tree), cells)
+    if interfaces.len() > FEW {
+        return (Some(tree), cells);
+    }
+    cells.few = (0..).take(interfaces.len()).collect();
+    (None, cells)
 }
 
 /// Problems of a scene whose text is not at hand.

@@ -11,6 +11,8 @@ pub(crate) struct Cells {
     pub(crate) walls: Vec<u32>,
     /// The cells up to this one are convex.
     pub(crate) last_convex: u32,
+    /// All interfaces of a system without a search tree.
+    pub(crate) few: Vec<u32>,
 }
 
 impl Cells {

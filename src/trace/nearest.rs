@@ -87,20 +87,19 @@ impl<'a> Search<'a> {
     fn first(&mut self, ray: &Ray, cell: u32) -> Option<Crossing> {
         let probe = Probe::new(self.system, *ray);
         let is_convex = cell <= self.system.cells.last_convex;
-        let (left_behind, cell) = (Cells::left_behind(cell), self.system.cells.walls(cell));
+        let (left_behind, closed) = (Cells::left_behind(cell), self.system.cells.walls(cell));
         let mut first = First::NONE;
-        match cell {
-            Some(cell) => {
-                for &place in cell {
-                    if first.look(&probe, place as usize) && is_convex {
-                        break;
-                    }
+        if closed.is_none() && self.system.tree.is_some() {
+            first = self.look_everywhere(probe, left_behind);
+        } else {
+            for &place in closed.unwrap_or(&self.system.cells.few) {
+                if first.look(&probe, place as usize) && is_convex {
+                    break;
                 }
             }
-            None => first = self.look_everywhere(probe, left_behind),
         }
         let is_none = first.place == First::NONE.place;
-        let is_lost = is_none && (cell.is_some() || ray.medium != self.system.surroundings);
+        let is_lost = is_none && (closed.is_some() || ray.medium != self.system.surroundings);
         let is_plain = !first.is_in_doubt && !is_lost && (is_none || first.next > first.reach);
         #[cfg(test)]
         let is_plain = is_plain && !self.skips_nothing;
