@@ -9,6 +9,7 @@ use crate::compile::lists::Lists;
 use crate::compile::region::{Region, Regions};
 use crate::compile::runs::Runs;
 use crate::geometry::Curve;
+use crate::numerics::excess_length;
 use crate::scene::Surface;
 use crate::system::{Action, Interface, MediumId, VertexId};
 
@@ -46,7 +47,8 @@ impl Sides<'_> {
             self.find_regions(piece.boundary, &mut nearby);
             let [left, right] = self.media_beside(&pieces.members(k), curve.midpoint(), &nearby.regions);
             let (action, body) = self.role_of(pieces.members(k), &curve);
-            Interface { curve, ends: piece.ends.map(|end| vertices.id(end)), left, right, action, body }
+            let (ends, excess) = (piece.ends.map(|end| vertices.id(end)), excess_length(curve.n));
+            Interface { curve, ends, left, right, excess, action, body }
         };
         pieces.list.iter().enumerate().map(&mut wall).collect()
     }

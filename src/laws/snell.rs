@@ -81,19 +81,19 @@ impl Refraction {
 #[inline]
 #[must_use]
 pub fn refract(v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
-    refract_at(&Incidence::new(v, n), v, n, n_i, n_t)
+    refract_at(&Incidence::new(v, n), v, (n, excess_length(n)), n_i, n_t)
 }
 
-/// The same for an incidence that is known.
+/// The same for an incidence that is known, and the excess of the normal's length.
 #[inline(always)]
-pub(crate) fn refract_at(incidence: &Incidence, v: DVec2, n: DVec2, n_i: f64, n_t: f64) -> Refraction {
+pub(crate) fn refract_at(incidence: &Incidence, v: DVec2, (n, excess): (DVec2, f64), n_i: f64, n_t: f64) -> Refraction {
     let Incidence { cos: cos_i, sin: sin_i, tangent } = *incidence;
     // The same medium on both sides: no boundary at all.
     #[expect(clippy::float_cmp, reason = "only the very same index is no boundary")]
     if n_i == n_t {
         return Refraction::Refracted { direction: v, cos_i, sin_i, cos_t: cos_i, sin_t: sin_i };
     }
-    let (k, rest) = along_boundary(v, n, n_i);
+    let (k, rest) = along_boundary(v, (n, excess), n_i);
     let transmitted_normal_squared = ((n_t - k.abs()) - rest) * (n_t + k.abs());
     // Total internal reflection: nothing is transmitted.
     if transmitted_normal_squared <= RESOLUTION * n_t * n_t {
@@ -108,9 +108,9 @@ pub(crate) fn refract_at(incidence: &Incidence, v: DVec2, n: DVec2, n_i: f64, n_
 /// k = n_i sin θ_i, signed as the sine, and what |k| still lacks: the cross product of `v` and `n` with what rounding took
 /// from it, over their lengths. With |v|² |n|² = 1 + e that divides by 1 + e/2 − e²/8.
 #[inline(always)]
-fn along_boundary(v: DVec2, n: DVec2, n_i: f64) -> (f64, f64) {
+fn along_boundary(v: DVec2, (n, excess): (DVec2, f64), n_i: f64) -> (f64, f64) {
     let (sine, sine_rest) = cross_parts(v, n);
-    let e = excess_length(v) + excess_length(n);
+    let e = excess_length(v) + excess;
     let (k, k_rest) = product_parts(n_i, sine);
     let rest = k_rest + n_i * sine_rest - k * (0.5 * e - 0.375 * e * e);
     // The nearest number first, so that k alone is good to one rounding.

@@ -30,6 +30,8 @@ pub struct Interface {
     pub left: MediumId,
     /// The medium on the right.
     pub right: MediumId,
+    /// By how much |n|² exceeds 1 for the unit normal n of an edge, which rounding has left.
+    pub(crate) excess: f64,
     /// What it does to a ray.
     pub action: Action,
     /// The body that a hit here names, by its place in the scene.

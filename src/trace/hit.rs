@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::laws::{Incidence, Refraction, Shares, fresnel, reflect_at, refract_at, thin_lens};
+use crate::numerics::excess_length;
 use crate::scene::SecondaryRays;
 use crate::system::{Action, Interface, MediumId};
 use crate::trace::Hit;
@@ -59,7 +60,9 @@ impl Arrival<'_> {
     /// What a face between two media makes of it.
     #[inline(always)]
     pub(crate) fn refract(&self) -> Refraction {
-        refract_at(&self.incidence, self.direction, self.normal, self.n_i, self.n_t)
+        let Interface { curve, excess, .. } = self.interface;
+        let excess = if curve.is_straight() { *excess } else { excess_length(self.normal) };
+        refract_at(&self.incidence, self.direction, (self.normal, excess), self.n_i, self.n_t)
     }
 
     /// The outcome on a face that lets the light through.
