@@ -192,9 +192,12 @@ impl First {
     /// Returns whether the ray plainly leaves by an interface.
     #[inline(always)]
     fn look(&mut self, probe: &Probe, place: usize) -> bool {
+        if place == probe.edge {
+            return false;
+        }
         let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
         let sides = probe.sides(&interface.curve);
-        if probe.passes_by(&interface.curve, sides) || place == probe.edge {
+        if probe.passes_by(&interface.curve, sides) {
             return false;
         }
         if !interface.bounds(medium) {
