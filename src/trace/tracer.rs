@@ -303,7 +303,9 @@ impl<'a> Tracer<'a> {
         if transmitted.is_none() {
             return reflected;
         }
-        self.waiting.extend(reflected);
+        if let Some(reflected) = reflected {
+            self.waiting.push(reflected);
+        }
         transmitted
     }
 }
