@@ -16,10 +16,10 @@ const MOST: usize = 12;
 /// finite area and holds no other boundary of its medium is a cell.
 pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree, near: f64) -> Cells {
     let groups = groups(interfaces);
-    let mut cells = Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], ..Cells::default() };
+    let mut cells =
+        Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], ..Cells::default() };
     let enclosing = groups.filled().map(|sides| (sides, walls(sides)));
-    let enclosing =
-        enclosing.filter(|(sides, walls)| walls.len() <= MOST && encloses(interfaces, sides, walls, tree));
+    let enclosing = enclosing.filter(|(sides, walls)| walls.len() <= MOST && encloses(interfaces, sides, walls, tree));
     let (convex, others): (Vec<_>, Vec<_>) =
         enclosing.partition(|(sides, walls)| is_convex(interfaces, sides, walls, near));
     cells.last_convex = number(convex.len());
@@ -34,10 +34,11 @@ pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree, near: f64) -> Ce
     cells
 }
 
-/// Whether all walls of a cell lie behind the tangents of each, seen from outside.
+/// Whether a cell is a convex polygon: seen from outside, all walls lie behind each.
 fn is_convex(interfaces: &[Interface], sides: &[usize], walls: &[u32], near: f64) -> bool {
     let walls = || walls.iter().map(|wall| &interfaces[*wall as usize]);
-    sides.iter().all(|side| is_behind(walls(), &interfaces[side / 2], !side.is_multiple_of(2), near))
+    walls().all(|wall| wall.curve.is_straight())
+        && sides.iter().all(|side| is_behind(walls(), &interfaces[side / 2], !side.is_multiple_of(2), near))
 }
 
 /// The interfaces of sides in order, each once.

@@ -336,10 +336,11 @@ mod tests {
             (0..4096).map(|k| Bounds::of([DVec2::new(f64::from(k), -1.0), DVec2::new(f64::from(k), 1.0)])).collect();
         let tree = BoxTree::new(&row);
         let mut first = None;
-        let looked_at = tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, BoxTree::NO_BOX, &mut Waiting::new(), |_, place| {
-            first.get_or_insert(place);
-            f64::from(u32::try_from(place).unwrap()) + 1.0
-        });
+        let looked_at =
+            tree.along(DVec2::new(-1.0, 0.1), DVec2::X, 0.0, BoxTree::NO_BOX, &mut Waiting::new(), |_, place| {
+                first.get_or_insert(place);
+                f64::from(u32::try_from(place).unwrap()) + 1.0
+            });
         assert_eq!(first, Some(0));
         assert!(looked_at <= 20, "{looked_at} nodes");
     }

@@ -104,10 +104,17 @@ mod tests {
         let edges: Vec<_> = (0..8).map(|k| Curve::line(corner(k), corner(k + 1))).collect();
         let found = |curves: &[Curve], y: f64| {
             let (mut found, mut waiting) = (Vec::new(), Waiting::new());
-            CurveTree::new(curves.iter(), 1e-12).along(DVec2::new(-3.0, y), DVec2::X, 0.0, BoxTree::NO_BOX, &mut waiting, |place| {
-                found.push(place);
-                f64::INFINITY
-            });
+            CurveTree::new(curves.iter(), 1e-12).along(
+                DVec2::new(-3.0, y),
+                DVec2::X,
+                0.0,
+                BoxTree::NO_BOX,
+                &mut waiting,
+                |place| {
+                    found.push(place);
+                    f64::INFINITY
+                },
+            );
             found
         };
         assert_eq!(found(&edges, 0.3), [0, 3]);

@@ -9,7 +9,7 @@ pub(crate) struct Cells {
     /// Where each cell's interfaces begin in `walls`; one entry more than cells.
     pub(crate) begins: Vec<u32>,
     pub(crate) walls: Vec<u32>,
-    /// The cells up to this one are convex.
+    /// The cells up to this one are convex polygons.
     pub(crate) last_convex: u32,
     /// All interfaces of a system without a search tree.
     pub(crate) few: Vec<u32>,

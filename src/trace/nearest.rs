@@ -86,16 +86,18 @@ impl<'a> Search<'a> {
     #[inline(always)]
     fn first(&mut self, ray: &Ray, cell: u32) -> Option<Crossing> {
         let probe = Probe::new(self.system, *ray);
-        let is_convex = cell <= self.system.cells.last_convex;
         let (left_behind, closed) = (Cells::left_behind(cell), self.system.cells.walls(cell));
+        if cell <= self.system.cells.last_convex
+            && let Some(crossing) = closed.and_then(|walls| plain_way_out(&probe, walls))
+        {
+            return Some(crossing);
+        }
         let mut first = First::NONE;
         if closed.is_none() && self.system.tree.is_some() {
             first = self.look_everywhere(probe, left_behind);
         } else {
             for &place in closed.unwrap_or(&self.system.cells.few) {
-                if first.look(&probe, place as usize) && is_convex {
-                    break;
-                }
+                first.look(&probe, place as usize);
             }
         }
         let is_none = first.place == First::NONE.place;
@@ -144,13 +146,7 @@ impl<'a> Search<'a> {
 
     /// Visits interfaces of the whole system, at least all whose crossings are at a distance between `begin` and what `visit`
     /// returned last.
-    fn candidates(
-        &mut self,
-        ray: &Ray,
-        begin: f64,
-        left_behind: u32,
-        mut visit: impl FnMut(usize) -> f64,
-    ) {
+    fn candidates(&mut self, ray: &Ray, begin: f64, left_behind: u32, mut visit: impl FnMut(usize) -> f64) {
         let tree = self.system.tree.as_ref();
         #[cfg(test)]
         let tree = tree.filter(|_| !self.skips_nothing);
@@ -162,6 +158,23 @@ impl<'a> Search<'a> {
             }
         }
     }
+}
+
+/// The one crossing by which a ray leaves a convex polygon with these edges; `None` if to find it takes care.
+#[inline(always)]
+fn plain_way_out(probe: &Probe, walls: &[u32]) -> Option<Crossing> {
+    for place in walls.iter().map(|wall| *wall as usize).filter(|place| *place != probe.edge) {
+        let interface = &probe.system.interfaces[place];
+        let sides = probe.sides(&interface.curve);
+        if probe.passes_by(&interface.curve, sides) {
+            continue;
+        }
+        let met = probe.plain_edge(interface, sides)?;
+        if met.is_ahead {
+            return Some(Crossing { interface: place, distance: met.distance, from_left: met.from_left });
+        }
+    }
+    None
 }
 
 /// The nearest way out so far.
@@ -189,19 +202,15 @@ impl First {
         is_in_doubt: false,
     };
 
-    /// Returns whether the ray plainly leaves by an interface.
     #[inline(always)]
-    fn look(&mut self, probe: &Probe, place: usize) -> bool {
+    fn look(&mut self, probe: &Probe, place: usize) {
         if place == probe.edge {
-            return false;
+            return;
         }
         let (medium, interface) = (probe.ray.medium, &probe.system.interfaces[place]);
         let sides = probe.sides(&interface.curve);
-        if probe.passes_by(&interface.curve, sides) {
-            return false;
-        }
-        if !interface.bounds(medium) {
-            return false;
+        if probe.passes_by(&interface.curve, sides) || !interface.bounds(medium) {
+            return;
         }
         let met = if interface.curve.is_straight() { probe.plain_edge(interface, sides) } else { None };
         match met {
@@ -211,22 +220,20 @@ impl First {
                 let (probe, mut found) = (*probe, *self);
                 found.meet(&probe, place);
                 *self = found;
-                false
             }
         }
     }
 
     #[inline(never)]
     fn meet(&mut self, probe: &Probe, place: usize) {
-        passages(probe, place, |passage| _ = self.take(&passage));
+        passages(probe, place, |passage| self.take(&passage));
     }
 
-    /// Returns whether it leads out.
     #[inline(always)]
-    fn take(&mut self, passage: &Passage) -> bool {
+    fn take(&mut self, passage: &Passage) {
         self.is_in_doubt |= passage.is_in_doubt;
         if !passage.is_way_out() {
-            return false;
+            return;
         }
         let Crossing { interface, distance, from_left } = passage.crossing;
         self.reach = self.reach.min(passage.reach);
@@ -236,7 +243,6 @@ impl First {
         } else if distance < self.next {
             self.next = distance;
         }
-        true
     }
 }
 
