@@ -113,20 +113,12 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
 fn where_rays_look(interfaces: &[Interface], near: f64) -> (Option<CurveTree>, Cells) {
     let tree = CurveTree::new(interfaces.iter().map(|one| &one.curve), near);
     let mut cells = cells::cells(interfaces, &tree, near);
-    for (number, run) in (0..).zip(tree.runs()) {
-        for (place, left) in outlook::outward_sides(&interfaces[run.clone()], near) {
-            let cell = &mut cells.of_sides[run.start + place][usize::from(!left)];
-            *cell = if *cell == Cells::OPEN { Cells::open(number) } else { *cell };
-        }
+    let tree = Some(tree).filter(|_| interfaces.len() > FEW);
+    outlook::note(&mut cells, interfaces, tree.as_ref(), near);
+    if tree.is_none() {
+        cells.few = (0..).take(interfaces.len()).collect();
     }
-    for (place, left) in outlook::outward_sides(interfaces, near) {
-        cells.of_sides[place][usize::from(!left)] = Cells::NOTHING;
-    }
-    if interfaces.len() > FEW {
-        return (Some(tree), cells);
-    }
-    cells.few = (0..).take(interfaces.len()).collect();
-    (None, cells)
+    (tree, cells)
 }
 
 /// Problems of a scene whose text is not at hand.

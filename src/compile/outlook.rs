@@ -1,20 +1,34 @@
-//! Sides of interfaces from which a ray meets nothing any more, since the whole scene lies behind them.
+//! Sides of interfaces from which a ray meets nothing of the whole scene, or of what is next to it in the search tree, since that
+//! lies behind them.
+
+use std::ops::Range;
 
 use glam::DVec2;
 
-use crate::geometry::Curve;
-use crate::system::Interface;
+use crate::geometry::{Curve, CurveTree};
+use crate::system::{Cells, Interface};
 
 /// In larger scenes few rays leave from such a side, and the search for it is quadratic.
 const MOST: usize = 64;
 
-/// Interfaces with whether the side is their left one. Distances below `near` are rounding.
-pub(crate) fn outward_sides(interfaces: &[Interface], near: f64) -> Vec<(usize, bool)> {
-    if interfaces.len() > MOST {
-        return Vec::new();
+/// Notes these sides where no cell is known. Distances below `near` are rounding.
+pub(crate) fn note(cells: &mut Cells, interfaces: &[Interface], tree: Option<&CurveTree>, near: f64) {
+    for (number, run) in (0..).zip(tree.into_iter().flat_map(CurveTree::runs)) {
+        note_outward(cells, interfaces, run, near, Cells::open(number));
     }
-    let sides = (0..interfaces.len()).flat_map(|place| [(place, true), (place, false)]);
-    sides.filter(|&(place, left)| is_behind(interfaces.iter(), &interfaces[place], left, near)).collect()
+    if interfaces.len() <= MOST {
+        note_outward(cells, interfaces, 0..interfaces.len(), near, Cells::NOTHING);
+    }
+}
+
+/// Notes the sides of some interfaces that have all of these behind them.
+fn note_outward(cells: &mut Cells, interfaces: &[Interface], places: Range<usize>, near: f64, cell: u32) {
+    for (place, left) in places.clone().flat_map(|place| [(place, true), (place, false)]) {
+        let known = &mut cells.of_sides[place][usize::from(!left)];
+        if Cells::is_open(*known) && is_behind(interfaces[places.clone()].iter(), &interfaces[place], left, near) {
+            *known = cell;
+        }
+    }
 }
 
 /// Whether interfaces lie behind the tangents of one of them, seen from a side: an edge's line, or the lines that touch an arc,
@@ -30,10 +44,12 @@ pub(super) fn is_behind<'a>(
         return false;
     }
     // What lies behind the tangents at an arc's ends and behind its chord lies behind every tangent between.
+    let Curve { a, b, .. } = one.curve;
+    let is_before = |end: DVec2, normal: DVec2, p: DVec2| sense * normal.dot(p - end) >= -near;
     let is_point_behind = |p: DVec2| {
-        let behind = |end: DVec2| sense * one.curve.normal_at(end).dot(p - end) < -near;
-        let chord = sense * (one.curve.b - one.curve.a).normalize().perp();
-        behind(one.curve.a) && behind(one.curve.b) && chord.dot(p - one.curve.a) < -near
+        let is_straight = one.curve.is_straight();
+        let is_before_bulge = || is_before(a, (b - a).normalize().perp(), p) || is_before(b, one.curve.normal_at(b), p);
+        !(is_before(a, one.curve.normal_at(a), p) || !is_straight && is_before_bulge())
     };
     interfaces.all(|other| {
         let is_known = |end: usize| one.ends.contains(&other.ends[end]);

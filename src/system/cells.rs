@@ -26,6 +26,11 @@ impl Cells {
         left_behind | !BoxTree::NO_BOX
     }
 
+    /// Whether it is no cell, so that all interfaces may have to be looked at.
+    pub(crate) fn is_open(cell: u32) -> bool {
+        cell & !BoxTree::NO_BOX != 0
+    }
+
     /// The box of the search tree that a ray need not look into where there is no cell.
     #[inline(always)]
     pub(crate) fn left_behind(cell: u32) -> u32 {
