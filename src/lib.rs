@@ -82,6 +82,6 @@ pub use compile::{Compiled, compile};
 pub use scene::Scene;
 pub use system::OpticalSystem;
 pub use trace::{
-    Ending, Hit, PowerBalance, RayTree, Segment, SegmentId, Summary, Trace, TracedRay, Via, Visitor, summarize, trace,
-    visit,
+    Ending, Hit, PowerBalance, RayTree, Segment, SegmentId, Summary, Trace, TracedRay, Via, Visitor, retrace,
+    summarize, trace, visit,
 };

@@ -1,6 +1,7 @@
 //! All rays of a system, many at a time, their results in one order.
 
 use std::ops::Range;
+use std::sync::Mutex;
 
 use rayon::prelude::*;
 
@@ -102,18 +103,21 @@ const RAYS: usize = 64;
 /// Of the first stretch, the others have such a part.
 const PART: usize = 16;
 
+/// Lists that may hold the segments of rays, the first ray's last.
+pub(crate) type Memory = Mutex<Vec<Vec<Segment>>>;
+
 /// Follows every ray of the system and hands them on in order, in stretches. The segments that the system's limit allows are spent
 /// in that order too. Neither the result nor where a stretch ends depends on the number of threads: the first ends where so many
 /// segments are followed that others could help, and tells how many rays are worth the trouble of one more stretch. `progress` hears
-/// now and then how many more segments there are.
+/// now and then how many more segments there are. Segments are kept if there is memory for them, if only an empty one.
 pub(crate) fn collect(
     system: &OpticalSystem,
-    keeps_tree: bool,
+    memory: Option<Memory>,
     progress: &(dyn Fn(u64) + Sync),
     mut keep: impl FnMut(Stretch),
 ) {
     let plan = Plan::new(system);
-    let worker = || Worker::new(system, &plan, keeps_tree, progress);
+    let worker = || Worker::new(system, &plan, memory.as_ref(), progress);
     let mut alone = worker();
     let mut left = system.settings.max_segments;
     let mut first = Stretch::default();
@@ -202,7 +206,7 @@ impl<'a> Plan<'a> {
 struct Worker<'a> {
     plan: &'a Plan<'a>,
     tracer: Tracer<'a>,
-    keeps_tree: bool,
+    memory: Option<&'a Memory>,
     segments: Vec<Segment>,
     progress: &'a (dyn Fn(u64) + Sync),
 }
@@ -211,10 +215,10 @@ impl<'a> Worker<'a> {
     fn new(
         system: &'a OpticalSystem,
         plan: &'a Plan<'a>,
-        keeps_tree: bool,
+        memory: Option<&'a Memory>,
         progress: &'a (dyn Fn(u64) + Sync),
     ) -> Self {
-        Self { plan, tracer: Tracer::new(system), keeps_tree, segments: Vec::new(), progress }
+        Self { plan, tracer: Tracer::new(system), memory, segments: Vec::new(), progress }
     }
 
     /// Follows rays in a row, with at most so many segments.
@@ -262,19 +266,21 @@ impl<'a> Worker<'a> {
         let mut traced = self.plan.ray(source, ray, line);
         let (start, indices) = (&placed.starts[ray], self.plan.indices(traced.wavelength));
         let left = most - stretch.work.followed;
-        let Self { tracer, segments, progress, .. } = self;
+        let Self { tracer, memory, segments, progress, .. } = self;
         let mut count = Count { ray: &traced, summary: &mut stretch.summary, progress: *progress };
         // Apart, so that no segment is made where none is kept.
-        stretch.work.followed += if self.keeps_tree {
-            segments.clear();
-            tracer.follow(start, placed.power, indices, left, &mut Keep { count: &mut count, segments })
-        } else {
-            tracer.follow(start, placed.power, indices, left, &mut count)
+        let Some(memory) = memory else {
+            stretch.work.followed += tracer.follow(start, placed.power, indices, left, &mut count);
+            return;
         };
-        if self.keeps_tree {
-            traced.segments = self.segments.as_slice().to_vec();
-            stretch.rays.push(traced);
-        }
+        let mut kept = memory.lock().ok().and_then(|mut lists| lists.pop()).unwrap_or_default();
+        let is_fresh = kept.capacity() == 0;
+        let list = if is_fresh { segments } else { &mut kept };
+        list.clear();
+        let mut keep = Keep { count: &mut count, segments: list };
+        stretch.work.followed += tracer.follow(start, placed.power, indices, left, &mut keep);
+        traced.segments = if is_fresh { self.segments.as_slice().to_vec() } else { kept };
+        stretch.rays.push(traced);
     }
 
     /// Adds to a stretch what its rays took.

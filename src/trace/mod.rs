@@ -21,11 +21,13 @@ pub use segment::{Ending, Hit, RayTree, Segment, SegmentId, TracedRay, Via};
 pub use summary::{PowerBalance, ScreenHit, ScreenRecord, Summary};
 pub use work::Work;
 
+use std::sync::Mutex;
+
 use crate::system::OpticalSystem;
 use crate::trace::collect::collect;
 
 /// A whole trace: the ray tree and what became of the light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
     /// Every ray with its branches.
     pub tree: RayTree,
@@ -55,6 +57,12 @@ pub fn trace_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)) ->
     Trace { tree, summary }
 }
 
+/// [`trace`] in the place of an earlier trace, of whatever system, for many traces one after the other. It uses that trace's memory
+/// again: to get as much anew from the operating system takes longer than tracing.
+pub fn retrace(system: &OpticalSystem, trace: &mut Trace) {
+    trace.summary = gather(system, Some(&mut trace.tree), &|_| {});
+}
+
 /// Traces every ray of a system and keeps no tree: memory for the depth of the tree, not for its size.
 #[must_use]
 pub fn summarize(system: &OpticalSystem) -> Summary {
@@ -69,7 +77,9 @@ pub fn summarize_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)
 
 fn gather(system: &OpticalSystem, mut tree: Option<&mut RayTree>, progress: &(dyn Fn(u64) + Sync)) -> Summary {
     let mut summary = Summary::new(system);
-    collect(system, tree.is_some(), progress, |stretch| {
+    let memory = |tree: &mut RayTree| tree.rays.drain(..).rev().map(|ray| ray.segments).collect();
+    let memory = tree.as_deref_mut().map(|tree| Mutex::new(memory(tree)));
+    collect(system, memory, progress, |stretch| {
         summary.work.add(&stretch.work);
         summary.add(stretch.summary);
         if let Some(tree) = &mut tree {

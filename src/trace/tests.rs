@@ -2,7 +2,7 @@ use glam::DVec2;
 
 use crate::compile::compile;
 use crate::scene::{Body, Direction, Light, Medium, Polarization, Scene, Shape, Source, Spectrum, Substance, Surface};
-use crate::trace::{Ending, Trace, Via, trace};
+use crate::trace::{Ending, Trace, Via, retrace, trace};
 
 fn body(shape: Shape, substance: Substance) -> Body {
     Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance }
@@ -182,5 +182,25 @@ fn a_corner_that_light_only_touches_is_passed_by_on_either_side() {
     for (from, angle) in [((-9.0, 2.0), 0.0), ((-9.0, -2.0), 0.0), ((9.0, 2.0), 180.0), ((2.0, -9.0), 90.0)] {
         let trace = traced(vec![glass(Shape::Polygon(diamond.clone()))], ray(from, angle));
         assert_eq!(trace.tree.rays[0].segments[0].ending, Ending::Escaped, "from {from:?} at {angle}°");
+    }
+}
+
+#[test]
+fn tracing_again_gives_the_same_in_the_same_memory() {
+    let system = |sides: u32, rays: u32| {
+        let body = glass(Shape::RegularPolygon { sides, radius: 10.0 });
+        let fan = Light::Fan { from: (-30.0, 1.0).into(), direction: Direction::Angle(0.0), spread: 20.0, rays };
+        let source = Source { light: fan, ..ray((0.0, 0.0), 0.0) };
+        compile(&Scene { bodies: vec![body], sources: vec![source], ..Scene::default() }).unwrap().system
+    };
+    let mut again = Trace::default();
+    for (sides, rays) in [(3, 5), (6, 40), (6, 40), (4, 9), (3, 5)] {
+        let system = system(sides, rays);
+        retrace(&system, &mut again);
+        assert_eq!(again, trace(&system));
+        let memory = |trace: &Trace| trace.tree.rays.iter().map(|ray| ray.segments.as_ptr()).collect::<Vec<_>>();
+        let before = memory(&again);
+        retrace(&system, &mut again);
+        assert_eq!(memory(&again), before);
     }
 }
