@@ -142,7 +142,7 @@ fn what_was_not_followed_is_a_stub() {
 
 #[test]
 fn escaped_rays_reach_the_frame_and_nothing_leaves_it() {
-    let text = svg(PRISM);
+    let text = svg(&PRISM.replace("    sources:", "    diagram: (legend: false),\n    sources:"));
     let document = Document::parse(&text).unwrap();
     let rays = of_class(&document, "ray");
     let out = rays.iter().find(|ray| ray.attribute("data-address") == Some("0.0:tit")).unwrap();
@@ -297,12 +297,12 @@ fn what_is_drawn_and_spared_is_counted() {
         let (counts, all) = counted(&text);
         assert_eq!(counts.segments_drawn + counts.segments_outside_view + counts.segments_below_faintest, all);
     }
-    let (whole, _) = counted(&white("faintest: 0"));
+    let (whole, _) = counted(&white("faintest: 0, angles: false, legend: false"));
     assert_eq!((whole.segments_outside_view, whole.segments_below_faintest), (0, 0));
     let (cut, _) = counted(&white(boxed));
     assert!(cut.segments_outside_view > 0 && cut.segments_below_faintest > 0 && cut.segments_drawn > 0);
     assert!(whole.marks_drawn > 0 && !whole.font_used, "{whole:?}");
-    let (bare, _) = counted(&white("normals: false, arrows: false"));
+    let (bare, _) = counted(&white("normals: false, arrows: false, angles: false"));
     assert_eq!(bare.marks_drawn, 0);
     assert!(counted(PRISM).0.font_used);
 }

@@ -1,42 +1,37 @@
 use glam::DVec2;
 
-use crate::diagram::frame::clip;
+use crate::diagram::room::{Room, centered};
 use crate::diagram::{Figure, bodies, outline, surfaces};
-use crate::drawing::{Anchor, Color, Item, PathStep, Rect, Text};
+use crate::drawing::{Anchor, Color, Item, Rect, Text};
 use crate::scene::{Substance, Surface};
 
 const SIZE: f64 = 12.0;
 /// Free space between a label and what it names, pixels.
 const GAP: f64 = 11.0;
-/// Lines beyond this many are not kept free.
-const MOST_LINES: usize = 3000;
-/// Cost of a label on a label or off the frame: such a place is never taken.
-const FORBIDDEN: f64 = 1e6;
+/// Free space between a label and lines, pixels.
+const OFF_LINES: f64 = 6.0;
 
 /// Every body's label, or else its name, inside where there is room and beside it where not.
-/// `marks` are further lines to keep off.
-pub(super) fn labels(figure: &Figure<'_>, marks: &[&[Item]]) -> Vec<Item> {
+pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room) -> Vec<Item> {
     if !figure.scene.diagram.labels {
         return Vec::new();
     }
-    let shapes: Vec<Vec<Shape>> = (0..figure.system.bodies().len()).map(|k| shapes(figure, k)).collect();
-    let boxes = shapes.iter().map(|shapes| seen(shapes, &figure.frame.area)).collect();
-    let mut room =
-        Room { boxes, area: figure.frame.area, lines: lines(figure, &shapes, marks), taken: notes(figure), own: 0 };
+    let mut homes = Homes { boxes: shapes.iter().map(|shapes| seen(shapes, &room.area)).collect(), own: 0 };
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
         let Some(words) = words(figure, k) else { continue };
         let text = Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label");
         let later = &shapes[k + 1..];
-        room.own = k;
-        let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area));
+        homes.own = k;
+        let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area), OFF_LINES);
         let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
-            let beside = room.best(&text, &room.near_home(beside(&shapes[k], &text, &room.area), &shapes[k], &text));
+            let beside =
+                room.best(&text, &homes.near(beside(&shapes[k], &text, &room.area), &shapes[k], &text), OFF_LINES);
             [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
         });
         if let Some((_, middle)) = place {
             let text = centered(&text, middle);
-            room.taken.push(text.bounds().grown(3.0));
+            room.take(text.bounds());
             items.push(text.into());
         }
     }
@@ -54,14 +49,19 @@ fn words<'a>(figure: &'a Figure<'_>, k: usize) -> Option<&'a str> {
 }
 
 /// An outline as chords.
-struct Shape {
+pub(super) struct Shape {
     points: Vec<DVec2>,
     /// Whether it has an inside.
     filled: bool,
     bounds: Rect,
 }
 
-fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
+/// The outlines of every body.
+pub(super) fn shapes(figure: &Figure<'_>) -> Vec<Vec<Shape>> {
+    (0..figure.system.bodies().len()).map(|k| shapes_of(figure, k)).collect()
+}
+
+fn shapes_of(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
     let substance = figure.scene.bodies.get(k).map(|body| &body.substance);
     // The barbs of a diverging lens reach beyond its ends.
     let barbed =
@@ -76,25 +76,9 @@ fn shapes(figure: &Figure<'_>, k: usize) -> Vec<Shape> {
     shapes.collect()
 }
 
-/// Outlines, rays and other marks, which labels keep off.
-fn lines(figure: &Figure<'_>, shapes: &[Vec<Shape>], marks: &[&[Item]]) -> Vec<[DVec2; 2]> {
-    let chords = shapes.iter().flatten().flat_map(|shape| shape.points.windows(2));
-    let mut lines: Vec<[DVec2; 2]> = chords.map(|pair| [pair[0], pair[1]]).collect();
-    for item in marks.iter().copied().flatten() {
-        if let Item::Shape(shape) = item
-            && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
-        {
-            lines.push([*a, *b]);
-        }
-    }
-    lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
-    lines
-}
-
-/// Places of the author's notes.
-fn notes(figure: &Figure<'_>) -> Vec<Rect> {
-    let texts = crate::diagram::notes::notes(figure).into_iter();
-    texts.filter_map(|item| if let Item::Text(text) = item { Some(text.bounds().grown(3.0)) } else { None }).collect()
+/// The chords of all outlines.
+pub(super) fn chords(shapes: &[Vec<Shape>]) -> impl Iterator<Item = [DVec2; 2]> {
+    shapes.iter().flatten().flat_map(|shape| shape.points.windows(2).map(|pair| [pair[0], pair[1]]))
 }
 
 /// Middles of places inside a body's outline where the whole text fits and no later body covers it.
@@ -170,12 +154,6 @@ fn seen<'a>(shapes: impl IntoIterator<Item = &'a Shape>, area: &Rect) -> Option<
     all.overlaps(area).then(|| Rect { min: all.min.max(area.min), max: all.max.min(area.max) })
 }
 
-/// The text with the middle of its letters at a point.
-fn centered(text: &Text, middle: DVec2) -> Text {
-    let at = middle + DVec2::new(0.0, 0.36 * text.size);
-    Text { at: DVec2::new(crate::drawing::pixel(at.x), crate::drawing::pixel(at.y)), ..text.clone() }
-}
-
 fn rim(rect: &Rect) -> [DVec2; 8] {
     let (a, b, c) = (rect.min, rect.max, rect.center());
     [
@@ -202,21 +180,18 @@ fn contains(Shape { points: polygon, .. }: &Shape, p: DVec2) -> bool {
     inside
 }
 
-/// What is free and what is not.
-struct Room {
-    area: Rect,
-    lines: Vec<[DVec2; 2]>,
-    taken: Vec<Rect>,
+/// Bodies whose words are placed.
+struct Homes {
     /// What is seen of every body.
     boxes: Vec<Option<Rect>>,
     /// The body that a place is sought for.
     own: usize,
 }
 
-impl Room {
+impl Homes {
     /// The same places, dearer the farther they are from the body's own line, and dearer still where another body is
     /// nearer, whose the words would seem to be.
-    fn near_home(&self, places: Vec<(f64, DVec2)>, own: &[Shape], text: &Text) -> Vec<(f64, DVec2)> {
+    fn near(&self, places: Vec<(f64, DVec2)>, own: &[Shape], text: &Text) -> Vec<(f64, DVec2)> {
         let priced = places.into_iter().map(|(cost, p)| {
             let rect = centered(text, p).bounds();
             let apart = |k: usize| self.boxes[k].map(|other| gap(&rect, &other));
@@ -232,23 +207,6 @@ impl Room {
             (cost + crowd + (to_line(&rect, own) - 2.0 * GAP).max(0.0) / 10.0, p)
         });
         priced.collect()
-    }
-
-    /// The cheapest place and its cost; `None` if every one is forbidden.
-    fn best(&self, text: &Text, places: &[(f64, DVec2)]) -> Option<(f64, DVec2)> {
-        let rects: Vec<Rect> = places.iter().map(|(_, p)| centered(text, *p).bounds()).collect();
-        let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
-        let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all)).collect();
-        let costs = places.iter().zip(&rects).map(|((cost, p), rect)| (cost + self.cost(rect, &near), *p));
-        costs.filter(|(cost, _)| *cost < FORBIDDEN).min_by(|a, b| a.0.total_cmp(&b.0))
-    }
-
-    fn cost(&self, rect: &Rect, lines: &[&[DVec2; 2]]) -> f64 {
-        let off = !(self.area.contains(rect.min) && self.area.contains(rect.max));
-        if off || self.taken.iter().any(|other| other.overlaps(rect)) {
-            return FORBIDDEN;
-        }
-        lines.iter().filter(|line| crosses(line, rect)).map(|_| 10.0).sum()
     }
 }
 
@@ -268,9 +226,4 @@ fn to_chord(p: DVec2, a: DVec2, b: DVec2) -> f64 {
 /// Distance of two rectangles, 0 where they overlap.
 fn gap(a: &Rect, b: &Rect) -> f64 {
     (a.min - b.max).max(b.min - a.max).max(DVec2::ZERO).length()
-}
-
-/// Whether a line comes closer to a place than is good to read.
-fn crosses([a, b]: &[DVec2; 2], rect: &Rect) -> bool {
-    clip(*a, *b - *a, 1.0, &rect.grown(6.0)).is_some()
 }

@@ -2,6 +2,7 @@
 //!
 //! One file a kind of mark; each turns what it needs of scene, system and tree into items of the display list.
 
+mod angles;
 mod arrows;
 mod blend;
 mod bodies;
@@ -12,7 +13,10 @@ mod extensions;
 mod frame;
 mod grid;
 mod header;
+mod hits;
+mod key;
 mod labels;
+mod legend;
 mod nice;
 mod normals;
 mod notes;
@@ -20,6 +24,7 @@ mod outline;
 mod palette;
 mod paths;
 mod rays;
+mod room;
 mod scale_bar;
 mod sources;
 mod statistics;
@@ -27,6 +32,8 @@ mod styles;
 mod surfaces;
 mod view;
 mod wrap;
+
+use glam::DVec2;
 
 use crate::drawing::{Drawing, Group, Item, Rect};
 use crate::scene::Scene;
@@ -36,7 +43,9 @@ use crate::trace::RayTree;
 use branches::{Branch, Sight};
 use crowd::Crowd;
 use frame::Frame;
+use key::Entry;
 use palette::Palette;
+use room::Room;
 use styles::Styles;
 
 pub use statistics::Statistics;
@@ -76,27 +85,23 @@ pub(crate) fn laid_out(
     tree: &RayTree,
     everywhere: bool,
 ) -> (Drawing, Statistics) {
-    let settings = &scene.diagram;
-    let palette = Palette::of(settings.theme);
-    let (header, below) = header::header(scene, &palette);
-    let area = area(scene, below);
-    let frame = Frame::new(area, &view::extent(scene, system, tree, &area));
-    let mut crowd = Crowd::new(Styles::new(scene, palette, tree));
-    let mut statistics = Statistics::default();
-    let sight = Sight { frame: &frame, faintest: settings.faintest, everywhere };
-    let spared = sight.visit(tree, &mut |branch| {
-        statistics.segments_drawn += branch.members;
-        crowd.push(branch);
-    });
-    let (branches, styles, crowd) = crowd.finish();
-    let mut figure = Figure { scene, system, tree, frame, palette, styles, branches, crowd };
-    let mut items = figure.layers();
+    let palette = Palette::of(scene.diagram.theme);
+    let (header, top) = header::header(scene, &palette);
+    // What stands below the scene takes room from it, so that more of it may have to stand there.
+    let mut foot = 0.0;
+    let (mut items, mut statistics) = loop {
+        let (mut figure, statistics) = seen(scene, system, tree, area(scene, top, foot), everywhere);
+        let (layers, below) = figure.layers(statistics.segments_below_faintest);
+        let taken = key::height(&below, figure.frame.area.size().x);
+        if taken <= foot {
+            break (figure.with_key(layers, &below), statistics);
+        }
+        foot = taken;
+    };
     items.push(Group::layer("header", header).into());
-    statistics.segments_outside_view = spared.outside_view;
-    statistics.segments_below_faintest = spared.below_faintest;
     statistics.count(&items);
     let drawing = Drawing {
-        size: settings.size,
+        size: scene.diagram.size,
         background: Some(palette.ground),
         title: scene.title.clone(),
         description: scene.caption.clone(),
@@ -105,11 +110,35 @@ pub(crate) fn laid_out(
     (drawing, statistics)
 }
 
+/// What is seen of the scene in an area, before it is drawn.
+fn seen<'a>(
+    scene: &'a Scene,
+    system: &'a OpticalSystem,
+    tree: &'a RayTree,
+    area: Rect,
+    everywhere: bool,
+) -> (Figure<'a>, Statistics) {
+    let palette = Palette::of(scene.diagram.theme);
+    let frame = Frame::new(area, &view::extent(scene, system, tree, &area));
+    let mut crowd = Crowd::new(Styles::new(scene, palette, tree));
+    let mut statistics = Statistics::default();
+    let sight = Sight { frame: &frame, faintest: scene.diagram.faintest, everywhere };
+    let spared = sight.visit(tree, &mut |branch| {
+        statistics.segments_drawn += branch.members;
+        crowd.push(branch);
+    });
+    statistics.segments_outside_view = spared.outside_view;
+    statistics.segments_below_faintest = spared.below_faintest;
+    let (branches, styles, crowd) = crowd.finish();
+    (Figure { scene, system, tree, frame, palette, styles, branches, crowd }, statistics)
+}
+
 impl Figure<'_> {
-    /// The layers from back to front.
-    fn layers(&mut self) -> Vec<Item> {
+    /// The layers from back to front, and what stands below the scene.
+    fn layers(&mut self, spared: usize) -> (Vec<Item>, Vec<Entry>) {
         let crowd = std::mem::take(&mut self.crowd);
-        let rays = if crowd.is_empty() { rays::rays(self) } else { crowd };
+        let crowd_is_empty = crowd.is_empty();
+        let rays = if crowd_is_empty { rays::rays(self) } else { crowd };
         let settings = &self.scene.diagram;
         let normals = if settings.normals { normals::normals(self) } else { Vec::new() };
         let mut layers = vec![self.layer("bodies", bodies::bodies(self))];
@@ -118,13 +147,18 @@ impl Figure<'_> {
         }
         layers.push(self.layer("surfaces", surfaces::surfaces(self)));
         let extensions = extensions::extensions(self);
-        let words = labels::labels(self, &[&normals, &extensions]);
+        let shapes = labels::shapes(self);
+        let mut room = Room::new(self, labels::chords(&shapes), &[&normals, &extensions]);
+        let has_angles = settings.angles && crowd_is_empty;
+        let (angles, below) = if has_angles { angles::angles(self, &mut room) } else { Default::default() };
+        let words = labels::labels(self, &shapes, &mut room);
         layers.push(self.layer("normals", normals));
         layers.push(self.layer("extensions", extensions));
         layers.push(self.layer("rays", rays));
         if settings.arrows {
             layers.push(self.layer("arrows", arrows::arrows(self)));
         }
+        layers.push(Group::layer("angles", angles).into());
         layers.push(self.layer("sources", sources::sources(self)));
         layers.push(self.layer("labels", words));
         layers.push(Group::layer("notes", notes::notes(self)).into());
@@ -132,6 +166,20 @@ impl Figure<'_> {
             layers.push(Group::layer("scale-bar", scale_bar::scale_bar(self)).into());
         }
         layers.retain(|layer| !matches!(layer, Item::Group(group) if group.items.is_empty()));
+        let mut below: Vec<_> = below.into_iter().map(|text| Entry { sample: None, text }).collect();
+        if settings.legend {
+            below.extend(legend::legend(self, spared));
+        }
+        (layers, below)
+    }
+
+    /// The layers with what stands below the scene.
+    fn with_key(&self, mut layers: Vec<Item>, below: &[Entry]) -> Vec<Item> {
+        let Rect { min, max } = self.frame.area;
+        let items = key::items(below, DVec2::new(min.x, max.y), max.x - min.x);
+        if !items.is_empty() {
+            layers.push(Group::layer("key", items).into());
+        }
         layers
     }
 
@@ -142,11 +190,11 @@ impl Figure<'_> {
 }
 
 /// The part of the figure that is left for the scene.
-fn area(scene: &Scene, below_header: f64) -> Rect {
+fn area(scene: &Scene, below_header: f64, foot: f64) -> Rect {
     let [width, height] = scene.diagram.size.map(f64::from);
     let side = header::margin(scene);
-    let foot = if scene.diagram.scale_bar { scale_bar::HEIGHT } else { 0.0 };
+    let foot = foot + if scene.diagram.scale_bar { scale_bar::HEIGHT } else { 0.0 };
     let top = below_header.min(0.7 * height);
     let bottom = (height - side - foot).max(top + 0.2 * height);
-    Rect { min: glam::DVec2::new(side, top), max: glam::DVec2::new((width - side).max(side), bottom) }
+    Rect { min: DVec2::new(side, top), max: DVec2::new((width - side).max(side), bottom) }
 }

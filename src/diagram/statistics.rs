@@ -1,7 +1,7 @@
 use crate::drawing::Item;
 
 /// Layers of marks that explain the rays.
-const MARKS: [&str; 4] = ["normals", "extensions", "arrows", "labels"];
+const MARKS: [&str; 5] = ["normals", "extensions", "angles", "arrows", "labels"];
 
 /// What a figure shows and what it could spare.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -100,6 +100,13 @@ impl Text {
         self
     }
 
+    /// The same with words on the baseline added at its end.
+    #[must_use]
+    pub fn then(mut self, text: &str) -> Self {
+        self.spans.push(Span { text: one_line(text), script: Script::Normal });
+        self
+    }
+
     /// Width in pixels.
     #[must_use]
     pub fn width(&self) -> f64 {

@@ -1,0 +1,217 @@
+//! Angle arcs at the hits, with their values.
+
+use glam::DVec2;
+
+use crate::diagram::hits::{Case, MarkedHit, marked};
+use crate::diagram::room::{CROSSING, Room, centered};
+use crate::diagram::{Figure, key};
+use crate::drawing::{Anchor, Cap, Color, Font, Group, Item, Path, Shape, Stroke, Text};
+use crate::numerics::Turn;
+
+const SIZE: f64 = 11.5;
+/// Radius of an arc, pixels, where there is room for it.
+const RADIUS: f64 = 28.0;
+const SMALLEST_RADIUS: f64 = 12.0;
+/// Free space between a value and lines, pixels.
+const OFF_LINES: f64 = 4.0;
+/// Cosines below this belong to right angles.
+const RIGHT: f64 = 0.001;
+/// Side of a right-angle mark, pixels.
+const SQUARE: f64 = 9.0;
+/// Length of the grazing ray that carries nothing, pixels.
+const GRAZING: f64 = 70.0;
+/// How far from the arc's middle a value is sought, degrees.
+const ASIDE: [f64; 16] =
+    [0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 80.0, -80.0, 110.0, -110.0, 150.0, -150.0, 180.0];
+/// How far outside of the arc, pixels.
+const OUTSIDE: [f64; 5] = [4.0, 9.0, 15.0, 22.0, 30.0];
+/// A critical angle is shown if the angle of incidence is at least this share of it.
+const NEAR_CRITICAL: f64 = 0.6;
+/// Radius of the ring around a number, pixels.
+const RING: f64 = 7.0;
+
+/// The marks, a group a hit, and what stands below the figure for the hits that are only numbered.
+pub(super) fn angles(figure: &Figure<'_>, room: &mut Room) -> (Vec<Item>, Vec<Text>) {
+    let hits = marked(figure);
+    let mut groups = Vec::new();
+    let mut unlabelled = Vec::new();
+    for (place, hit) in hits.iter().enumerate() {
+        let is_crowded = hits[..place].iter().any(|other| (other.at - hit.at).length() < 2.0 * RADIUS);
+        let drawer = Drawer::new(figure, hit);
+        let mut items = if is_crowded { Vec::new() } else { drawer.lines(room) };
+        match drawer.values(room) {
+            Some(values) if !is_crowded => items.extend(values.into_iter().map(Item::from)),
+            _ => unlabelled.push(place),
+        }
+        groups.push(items);
+    }
+    let mut below = Vec::new();
+    for (number, place) in (1..).zip(unlabelled) {
+        let drawer = Drawer::new(figure, &hits[place]);
+        groups[place].extend(drawer.number(number, room));
+        below.push(drawer.line_below(number));
+    }
+    let group = |(hit, items): (&MarkedHit<'_>, Vec<Item>)| {
+        let data = vec![("data-address", hit.branch.address())];
+        Group { data, ..Group::layer("angle", items) }.into()
+    };
+    (hits.iter().zip(groups).map(group).collect(), below)
+}
+
+/// Draws the marks of one hit.
+struct Drawer<'a> {
+    figure: &'a Figure<'a>,
+    hit: &'a MarkedHit<'a>,
+    radius: f64,
+}
+
+impl<'a> Drawer<'a> {
+    fn new(figure: &'a Figure<'_>, hit: &'a MarkedHit<'_>) -> Self {
+        Self { figure, hit, radius: (0.45 * hit.branch.length()).clamp(SMALLEST_RADIUS, RADIUS) }
+    }
+
+    fn color(&self) -> Color {
+        match self.hit.case {
+            Case::Plain(_) | Case::Mirror => self.figure.palette.ink,
+            Case::Total(_) | Case::Critical | Case::Brewster => self.figure.palette.accent,
+        }
+    }
+
+    /// Arcs and the lines that explain them.
+    fn lines(&self, room: &mut Room) -> Vec<Item> {
+        let MarkedHit { normal, back, reflected, transmitted, along, theta_1, case, .. } = *self.hit;
+        let palette = &self.figure.palette;
+        let mut items = vec![self.arc(normal, back, self.color(), room)];
+        items.extend(reflected.map(|reflected| self.arc(normal, reflected, self.color(), room)));
+        items.extend(transmitted.map(|transmitted| self.arc(-normal, transmitted, palette.ink, room)));
+        let dotted = |path| Shape::stroked(path, Stroke::solid(palette.accent, 1.0).dashed(&[1.5, 3.0]), "").into();
+        match case {
+            Case::Total(critical) | Case::Plain(Some(critical)) if theta_1 >= NEAR_CRITICAL * critical => {
+                let limit = self.aside(critical);
+                items.push(dotted(arc(self.hit.at, self.radius, back, limit)));
+                let tick = [-4.0, 4.0].map(|by| self.hit.at + (self.radius + by) * limit);
+                items.push(stroked(Path::line(tick[0], tick[1]), palette.accent));
+            }
+            Case::Critical => items.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along))),
+            Case::Plain(_) | Case::Total(_) | Case::Mirror | Case::Brewster => {}
+        }
+        items.extend(reflected.and_then(|reflected| self.right_angle(back, reflected)));
+        items.extend(reflected.zip(transmitted).and_then(|(one, other)| self.right_angle(one, other)));
+        items
+    }
+
+    fn arc(&self, from: DVec2, to: DVec2, color: Color, room: &mut Room) -> Item {
+        let at = self.hit.at;
+        room.keep_off([at + self.radius * from, at + self.radius * to]);
+        stroked(arc(at, self.radius, from, to), color)
+    }
+
+    /// Where light at an angle from the normal would come from, degrees.
+    fn aside(&self, angle: f64) -> DVec2 {
+        let MarkedHit { normal, back, .. } = *self.hit;
+        Turn::degrees(angle.copysign(normal.perp_dot(back))).apply(normal)
+    }
+
+    /// The mark between two rays at right angles.
+    fn right_angle(&self, one: DVec2, other: DVec2) -> Option<Item> {
+        let mut path = Path::new();
+        path.move_to(self.hit.at + SQUARE * one);
+        path.line_to(self.hit.at + SQUARE * (one + other));
+        path.line_to(self.hit.at + SQUARE * other);
+        (one.dot(other).abs() < RIGHT).then(|| stroked(path, self.color()))
+    }
+
+    /// The values in their places; `None` where they do not fit.
+    fn values(&self, room: &mut Room) -> Option<Vec<Text>> {
+        let MarkedHit { normal, back, transmitted, .. } = *self.hit;
+        let mut values = vec![(normal + back, self.first(self.text("", self.color())))];
+        let second = |(theta, transmitted): (f64, DVec2)| {
+            (transmitted - normal, angle(self.text("", self.figure.palette.ink), "2", theta))
+        };
+        values.extend(self.hit.theta_2.zip(transmitted).map(second));
+        let before = room.words();
+        let placed: Option<Vec<Text>> =
+            values.into_iter().map(|(toward, text)| self.placed(&text, toward.normalize_or_zero(), room)).collect();
+        if placed.is_none() {
+            room.forget(before);
+        }
+        placed
+    }
+
+    fn placed(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
+        let mut places = Vec::new();
+        for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
+            for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
+                let direction = Turn::degrees(aside).apply(toward);
+                let half = (0.5 * text.bounds().size() * direction).abs().element_sum();
+                places.push((0.4 * rank + 0.6 * step, self.hit.at + (self.radius + outside + half) * direction));
+            }
+        }
+        let (_, middle) = room.best(text, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
+        let text = centered(text, middle);
+        room.take(text.bounds());
+        Some(text)
+    }
+
+    /// A number beside the hit.
+    fn number(&self, number: u32, room: &mut Room) -> Vec<Item> {
+        let color = self.color();
+        let text = self.text(&number.to_string(), color).in_font(Font::Bold);
+        let around = |distance: f64| {
+            let at = move |step: u32| self.hit.at + distance * Turn::degrees(30.0 * f64::from(step)).direction();
+            (0..12).map(move |step| (distance / 10.0, at(step)))
+        };
+        let places: Vec<_> = [14.0, 20.0, 28.0, 40.0, 56.0, 80.0].into_iter().flat_map(around).collect();
+        let Some((_, middle)) = room.best(&text, &places, OFF_LINES) else { return Vec::new() };
+        let text = centered(&text, middle);
+        room.take(text.bounds().grown(2.0));
+        let mut items = vec![stroked(Path::circle(middle, RING), color)];
+        if (middle - self.hit.at).length() > 24.0 {
+            let toward = (middle - self.hit.at).normalize_or_zero();
+            items.push(stroked(Path::line(self.hit.at, middle - RING * toward), color));
+        }
+        items.push(text.into());
+        items
+    }
+
+    /// Number and values for the lines below the figure.
+    fn line_below(&self, number: u32) -> Text {
+        let text = Text::new(&format!("{number}:\u{a0}"), DVec2::ZERO, key::SIZE, self.color()).classed("angle-value");
+        let text = self.first(text);
+        self.hit.theta_2.map_or(text.clone(), |theta| angle(text.then(",\u{a0}"), "2", theta))
+    }
+
+    fn text(&self, words: &str, color: Color) -> Text {
+        Text::new(words, DVec2::ZERO, SIZE, color).anchored(Anchor::Middle).classed("angle-value")
+    }
+
+    /// Adds the angle of incidence and what it is beside.
+    fn first(&self, text: Text) -> Text {
+        let is_total = matches!(self.hit.case, Case::Total(_));
+        let text = if is_total { text.then("TIR:\u{a0}") } else { text };
+        let text = angle(text, "1", self.hit.theta_1);
+        match self.hit.case {
+            Case::Total(critical) => angle(text.then("\u{a0}>\u{a0}"), "c", critical),
+            Case::Critical => text.then("\u{a0}=\u{a0}θ").subscript("c"),
+            Case::Brewster => text.then("\u{a0}=\u{a0}θ").subscript("B"),
+            Case::Plain(_) | Case::Mirror => text,
+        }
+    }
+}
+
+/// Adds an angle in degrees by its letter.
+fn angle(text: Text, subscript: &str, degrees: f64) -> Text {
+    text.then("θ").subscript(subscript).then(&format!("\u{a0}{degrees:.1}°"))
+}
+
+/// The smaller arc about a point between two directions.
+fn arc(at: DVec2, radius: f64, from: DVec2, to: DVec2) -> Path {
+    let mut path = Path::new();
+    path.move_to(at + radius * from);
+    path.arc_to(radius, false, from.perp_dot(to) > 0.0, at + radius * to);
+    path
+}
+
+fn stroked(path: Path, color: Color) -> Item {
+    Shape::stroked(path, Stroke::solid(color, 1.0).capped(Cap::Butt), "").into()
+}

@@ -1,0 +1,88 @@
+//! Where words may stand.
+
+use glam::DVec2;
+
+use crate::diagram::frame::clip;
+use crate::diagram::{Figure, notes};
+use crate::drawing::{Item, PathStep, Rect, Text, pixel};
+
+/// Lines beyond this many are not kept free.
+const MOST_LINES: usize = 3000;
+/// Cost of words on words or off the frame: such a place is never taken.
+const FORBIDDEN: f64 = 1e6;
+/// Cost of a line through words.
+pub(super) const CROSSING: f64 = 10.0;
+/// Free space between words, pixels.
+const APART: f64 = 3.0;
+
+/// What is free and what is not.
+pub(super) struct Room {
+    pub(super) area: Rect,
+    lines: Vec<[DVec2; 2]>,
+    taken: Vec<Rect>,
+}
+
+impl Room {
+    /// Words keep off each other and the author's notes, and off lines where they can: outlines, marks and rays.
+    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>, marks: &[&[Item]]) -> Self {
+        let mut lines: Vec<[DVec2; 2]> = outlines.collect();
+        for item in marks.iter().copied().flatten() {
+            if let Item::Shape(shape) = item
+                && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
+            {
+                lines.push([*a, *b]);
+            }
+        }
+        lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
+        let notes = notes::notes(figure).into_iter();
+        let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };
+        Self { area: figure.frame.area, lines, taken: notes.filter_map(bounds).collect() }
+    }
+
+    /// No more words here.
+    pub(super) fn take(&mut self, bounds: Rect) {
+        self.taken.push(bounds.grown(APART));
+    }
+
+    /// How many words have their places.
+    pub(super) fn words(&self) -> usize {
+        self.taken.len()
+    }
+
+    /// Gives the places of all words back but for the first ones.
+    pub(super) fn forget(&mut self, but_for: usize) {
+        self.taken.truncate(but_for);
+    }
+
+    /// A line more to keep off.
+    pub(super) fn keep_off(&mut self, line: [DVec2; 2]) {
+        self.lines.push(line);
+    }
+
+    /// The cheapest of some middles with their costs for a text, `off` pixels from lines; `None` if every one is forbidden.
+    pub(super) fn best(&self, text: &Text, places: &[(f64, DVec2)], off: f64) -> Option<(f64, DVec2)> {
+        let rects: Vec<Rect> = places.iter().map(|(_, p)| centered(text, *p).bounds()).collect();
+        let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
+        let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all.grown(off))).collect();
+        let costs = places.iter().zip(&rects).map(|((cost, p), rect)| (cost + self.cost(rect, &near, off), *p));
+        costs.filter(|(cost, _)| *cost < FORBIDDEN).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    fn cost(&self, rect: &Rect, lines: &[&[DVec2; 2]], off_lines: f64) -> f64 {
+        let off = !(self.area.contains(rect.min) && self.area.contains(rect.max));
+        if off || self.taken.iter().any(|other| other.overlaps(rect)) {
+            return FORBIDDEN;
+        }
+        lines.iter().filter(|line| crosses(line, &rect.grown(off_lines))).map(|_| CROSSING).sum()
+    }
+}
+
+/// The text with the middle of its letters at a point.
+pub(super) fn centered(text: &Text, middle: DVec2) -> Text {
+    let at = middle + DVec2::new(0.0, 0.36 * text.size);
+    Text { at: DVec2::new(pixel(at.x), pixel(at.y)), ..text.clone() }
+}
+
+fn crosses([a, b]: &[DVec2; 2], rect: &Rect) -> bool {
+    clip(*a, *b - *a, 1.0, rect).is_some()
+}
