@@ -290,6 +290,25 @@ fn an_empty_label_silences_a_name() {
 }
 
 #[test]
+fn a_medium_is_told_with_its_index_at_one_wavelength() {
+    let words = |body: &str, spectrum: &str| {
+        let source = format!("(light: Ray(from: (-9, 30), direction: Angle(0)), spectrum: {spectrum})");
+        let text = svg(&format!("(bodies: [({body}, shape: Rectangle(60, 40))], sources: [{source}])"));
+        let document = Document::parse(&text).unwrap();
+        of_class(&document, "label").first().map(|node| node.text().unwrap().replace('\u{a0}', " "))
+    };
+    let words = |body: &str, spectrum: &str| words(body, spectrum).unwrap_or_default();
+    let bk7 = "label: \"glass\", medium: Catalog(\"N-BK7\")";
+    assert_eq!(words(bk7, "Line(587.5618)"), "glass, n = 1.517");
+    assert_eq!(words(bk7, "Line(486.1327)"), "glass, n = 1.522");
+    assert_eq!(words(bk7, "Lines([486.1327, 587.5618])"), "glass");
+    assert_eq!(words("medium: Index(1.5)", "Line(587.5618)"), "n = 1.5");
+    assert_eq!(words("label: \"n = 3/2\", medium: Index(1.5)", "Line(587.5618)"), "n = 3/2");
+    assert_eq!(words("label: \"air\", medium: Index(1)", "Line(587.5618)"), "air");
+    assert_eq!(words("label: \"\", medium: Index(1.5)", "Line(587.5618)"), "");
+}
+
+#[test]
 fn a_label_stands_nearer_to_its_body_than_to_another() {
     let bar = |name: &str, y: f64| {
         format!(r#"(name: "{name}", shape: Flat(from: (-10, {y:?}), to: (10, {y:?})), surface: Mirror)"#)

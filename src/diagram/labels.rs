@@ -8,6 +8,8 @@ use crate::scene::{Substance, Surface};
 const SIZE: f64 = 12.0;
 /// Free space between a label and what it names, pixels.
 const GAP: f64 = 11.0;
+/// A place that costs less needs no other.
+const GOOD: f64 = 8.0;
 /// Free space between a label and lines, pixels.
 const OFF_LINES: f64 = 6.0;
 
@@ -19,23 +21,38 @@ pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room
     let mut homes = Homes { boxes: shapes.iter().map(|shapes| seen(shapes, &room.area)).collect(), own: 0 };
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
-        let Some(words) = words(figure, k) else { continue };
-        let text = Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label");
-        let later = &shapes[k + 1..];
         homes.own = k;
-        let inside = room.best(&text, &inside(&shapes[k], later, &text, &room.area), OFF_LINES);
-        let place = inside.filter(|(cost, _)| *cost < 8.0).or_else(|| {
-            let beside =
-                room.best(&text, &homes.near(beside(&shapes[k], &text, &room.area), &shapes[k], &text), OFF_LINES);
-            [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
-        });
-        if let Some((_, middle)) = place {
-            let text = centered(&text, middle);
+        let with_index =
+            || words_with_index(figure, k).and_then(|words| place_inside(&text(figure, k, &words), k, shapes, room));
+        let by_itself = || place(&text(figure, k, words(figure, k)?), &homes, shapes, room);
+        if let Some(text) = with_index().or_else(by_itself) {
             room.take(text.bounds());
             items.push(text.into());
         }
     }
     items
+}
+
+fn text(figure: &Figure<'_>, k: usize, words: &str) -> Text {
+    Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label")
+}
+
+/// A text in a good place inside of its body, if there is one.
+fn place_inside(text: &Text, k: usize, shapes: &[Vec<Shape>], room: &Room) -> Option<Text> {
+    let (cost, middle) = room.best(text, &inside(&shapes[k], &shapes[k + 1..], text, &room.area), OFF_LINES)?;
+    (cost < GOOD).then(|| centered(text, middle))
+}
+
+/// A text in the best place inside of its body or beside it.
+fn place(text: &Text, homes: &Homes, shapes: &[Vec<Shape>], room: &Room) -> Option<Text> {
+    let k = homes.own;
+    let inside = room.best(text, &inside(&shapes[k], &shapes[k + 1..], text, &room.area), OFF_LINES);
+    let place = inside.filter(|(cost, _)| *cost < GOOD).or_else(|| {
+        let places = homes.near(beside(&shapes[k], text, &room.area), &shapes[k], text);
+        let beside = room.best(text, &places, OFF_LINES);
+        [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+    });
+    place.map(|(_, middle)| centered(text, middle))
 }
 
 /// The outline's color, deep enough to read on the fill.
@@ -46,6 +63,25 @@ fn color(figure: &Figure<'_>, k: usize) -> Color {
 fn words<'a>(figure: &'a Figure<'_>, k: usize) -> Option<&'a str> {
     let body = figure.scene.bodies.get(k)?;
     body.label.as_deref().or(body.name.as_deref()).filter(|words| !words.trim().is_empty())
+}
+
+/// A medium's name with its index at the scene's one wavelength; the index alone where nothing else names the medium.
+fn words_with_index(figure: &Figure<'_>, k: usize) -> Option<String> {
+    let outlines = &figure.system.bodies()[k].outlines;
+    let medium = outlines.first()?.medium?;
+    let [line] = figure.system.wavelengths()[..] else { return None };
+    let index = figure.system.index(medium, line);
+    let (body, is_alike) = (figure.scene.bodies.get(k)?, outlines.iter().all(|one| one.medium == Some(medium)));
+    if !is_alike || index <= 1.0 {
+        return None;
+    }
+    let index = format!("n\u{a0}=\u{a0}{}", (1000.0 * index).round() / 1000.0);
+    match words(figure, k) {
+        Some(words) if words.contains('=') => None,
+        Some(words) => Some(format!("{words}, {index}")),
+        None if body.label.is_some() || !figure.scene.notes.is_empty() => None,
+        None => Some(index),
+    }
 }
 
 /// An outline as chords.
