@@ -9,8 +9,12 @@ use super::output::Target;
 use super::progress;
 use super::scene::{self, is_stdin, refuse_two_stdins};
 use super::stats::{Stats, Stopwatch};
+use crate::scene::{MAX_PIXELS, MIN_PIXELS};
 use crate::trace::{self, Trace};
 use crate::{diagram, render};
+
+const MIN_SCALE: f32 = 0.1;
+const MAX_SCALE: f32 = 16.0;
 
 /// Draw scenes as ray diagrams.
 ///
@@ -30,6 +34,18 @@ pub(super) struct Render {
     /// Forms of the picture, separated by commas [default: the extension of -o, else svg].
     #[arg(long, value_enum, value_delimiter = ',')]
     format: Vec<Format>,
+    /// Width and height of the figure in pixels, such as 1280x720, in place of the scene's own.
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Pixels of a PNG to a pixel of the figure: 2 for screens with fine pixels.
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = scale)]
+    scale: f32,
+    /// Draw no ground, for slides that have their own.
+    #[arg(long)]
+    transparent: bool,
+    /// Draw the letters of an SVG as outlines, for where its font is missing; they are no text any more.
+    #[arg(long)]
+    outline_text: bool,
     /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
@@ -144,16 +160,19 @@ impl Render {
 
     fn draw(&self, job: &Job) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
-        let ready = scene::prepare(job.scene, &mut watch)?;
+        let mut ready = scene::prepare(job.scene, &mut watch)?;
+        ready.scene.diagram.size = self.size.unwrap_or(ready.scene.diagram.size);
         watch.begin("tracing");
         let Trace { tree, summary } = trace::trace_watched(&ready.system, &progress::count);
         watch.begin("drawing");
-        let (drawing, figure) = diagram::draw_counted(&ready.scene, &ready.system, &tree);
+        let (mut drawing, figure) = diagram::draw_counted(&ready.scene, &ready.system, &tree);
+        drawing.background = drawing.background.filter(|_| !self.transparent);
         for (target, format) in &job.pictures {
             watch.begin(format.writing());
             let bytes = match format {
+                Format::Svg if self.outline_text => render::svg_outlined(&drawing).into_bytes(),
                 Format::Svg => render::svg(&drawing).into_bytes(),
-                Format::Png => render::png(&drawing, 1.0)
+                Format::Png => render::png(&drawing, self.scale)
                     .map_err(|error| Fault(format!("{}: no picture: {error}", scene::name(job.scene))))?,
             };
             target.write(|out| out.write_all(&bytes))?;
@@ -167,6 +186,17 @@ impl Render {
         }
         Ok(())
     }
+}
+
+fn size(argument: &str) -> Result<[u32; 2], String> {
+    let side = |side: &str| side.parse().ok().filter(|side| (MIN_PIXELS..=MAX_PIXELS).contains(side));
+    let sides = argument.split_once(['x', '×']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.ok_or_else(|| format!("two sides of {MIN_PIXELS} to {MAX_PIXELS} pixels are needed, such as 1280x720"))
+}
+
+fn scale(argument: &str) -> Result<f32, String> {
+    let scale = argument.parse().ok().filter(|scale| (MIN_SCALE..=MAX_SCALE).contains(scale));
+    scale.ok_or_else(|| format!("a number from {MIN_SCALE} to {MAX_SCALE} is needed, such as 2"))
 }
 
 /// Where the picture of a scene goes: under the scene's stem.

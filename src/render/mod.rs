@@ -9,7 +9,7 @@ mod skia;
 mod svg;
 
 pub use png::{RenderError, png};
-pub use svg::svg;
+pub use svg::{svg, svg_outlined};
 
 #[cfg(test)]
 mod tests {
@@ -22,18 +22,18 @@ mod tests {
         r#"(
             bodies: [(shape: Prism(apex_angle: 60, side: 40), medium: Catalog("F2"))],
             sources: [(light: Ray(from: (-50, -18), direction: Towards((-12, 0))), spectrum: White(samples: 9))],
-            diagram: (view: Box((10, -30), (60, 10)), faintest: 0, arrows: false),
+            diagram: (view: Box((10, -30), (60, 10)), faintest: 0, arrows: false, legend: false),
         )"#,
         r"(
             bodies: [(shape: Rectangle(4, 400), medium: Index(1.5)), (shape: Rectangle(4, 400), at: (10, 0), medium: Index(1.8))],
             sources: [(light: Fan(from: (-20, 0), direction: Angle(40), spread: 20, rays: 400))],
             trace: (min_power: 1e-3),
-            diagram: (view: Box((-4, 10), (14, 30)), faintest: 0, arrows: false),
+            diagram: (view: Box((-4, 10), (14, 30)), faintest: 0, arrows: false, legend: false),
         )",
         r"(
             bodies: [(shape: Disk(10), medium: Index(1.5))],
             sources: [(light: Beam(center: (-40, 0), direction: Angle(0), width: 19, rays: 90))],
-            diagram: (view: Box((8, 2), (30, -12)), theme: Dark, arrows: false),
+            diagram: (view: Box((8, 2), (30, -12)), theme: Dark, arrows: false, legend: false),
         )",
     ];
 

@@ -8,15 +8,28 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Lines, Path, PathStep, Rect, Shape, Stroke, Text};
-use crate::drawing::{Whole, hundredths, pixel, shortest};
+use crate::drawing::{GlyphStep, Whole, hundredths, pixel, shortest};
 use crate::render::decimal::{push_line, push_point};
 
 /// Bytes of a line among very many, such as `M123.45 67.89L234.5 78`.
 const USUAL_LINE: usize = 28;
 
-/// The figure as an SVG document; the same figure gives the same bytes.
+/// The figure as an SVG document whose words are text; the same figure gives the same bytes.
 #[must_use]
 pub fn svg(drawing: &Drawing) -> String {
+    document(drawing, write_text)
+}
+
+/// The same with the outlines of the letters in place of text, for where the fonts of `DejaVu Sans` are missing.
+#[must_use]
+pub fn svg_outlined(drawing: &Drawing) -> String {
+    document(drawing, write_outlines)
+}
+
+/// Writes words.
+type Pen = fn(&mut String, &Text);
+
+fn document(drawing: &Drawing, pen: Pen) -> String {
     let [width, height] = drawing.size;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
@@ -30,22 +43,22 @@ pub fn svg(drawing: &Drawing) -> String {
     if let Some(color) = drawing.background {
         line(&mut out, format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>", color.css()));
     }
-    drawing.items.iter().for_each(|item| write_item(&mut out, item, false));
+    drawing.items.iter().for_each(|item| write_item(&mut out, item, false, pen));
     out.push_str("</svg>\n");
     out
 }
 
 /// `screened` items add up as lights do.
-fn write_item(out: &mut String, item: &Item, screened: bool) {
+fn write_item(out: &mut String, item: &Item, screened: bool, pen: Pen) {
     match item {
         Item::Shape(shape) => write_shape(out, shape, screened),
         Item::Lines(lines) => write_lines(out, lines, screened),
-        Item::Text(text) => write_text(out, text),
-        Item::Group(group) => write_group(out, group),
+        Item::Text(text) => pen(out, text),
+        Item::Group(group) => write_group(out, group, pen),
     }
 }
 
-fn write_group(out: &mut String, group: &Group) {
+fn write_group(out: &mut String, group: &Group, pen: Pen) {
     out.push_str("<g");
     attributes(out, &group.class, &group.data);
     let adds_up = group.whole.is_some_and(|whole| whole.adds_up);
@@ -59,7 +72,7 @@ fn write_group(out: &mut String, group: &Group) {
         push(out, format_args!(" clip-path=\"url(#{})\"", clip_id(clip)));
     }
     out.push_str(">\n");
-    group.items.iter().for_each(|item| write_item(out, item, adds_up));
+    group.items.iter().for_each(|item| write_item(out, item, adds_up, pen));
     out.push_str("</g>\n");
 }
 
@@ -156,6 +169,30 @@ fn write_text(out: &mut String, text: &Text) {
     out.push('>');
     write_spans(out, text);
     out.push_str("</text>\n");
+}
+
+/// The letters of a text as one path, which tells the words to readers.
+fn write_outlines(out: &mut String, text: &Text) {
+    out.push_str("<path");
+    attributes(out, &text.class, &[]);
+    let words: String = text.spans.iter().map(|span| span.text.as_str()).collect();
+    push(out, format_args!(" role=\"img\" aria-label=\"{}\" fill=\"{}\" d=\"", escape(&words), text.color.css()));
+    for glyph in text.glyphs() {
+        let place = |p: DVec2| (glyph.at + p * glyph.size).to_array().map(pixel);
+        for step in text.font.outline(glyph.character) {
+            let (letter, points) = match step {
+                GlyphStep::MoveTo(p) => ("M", vec![p]),
+                GlyphStep::LineTo(p) => ("L", vec![p]),
+                GlyphStep::QuadTo(c, p) => ("Q", vec![c, p]),
+                GlyphStep::CubicTo(c, d, p) => ("C", vec![c, d, p]),
+                GlyphStep::Close => ("Z", Vec::new()),
+            };
+            out.push_str(letter);
+            let numbers: Vec<_> = points.into_iter().flat_map(place).map(|number| number.to_string()).collect();
+            out.push_str(&numbers.join(" "));
+        }
+    }
+    out.push_str("\"/>\n");
 }
 
 /// Spans on the baseline are plain text; another script is a `tspan` that moves down, and the next one back up.

@@ -68,3 +68,44 @@ fn render_refuses_what_would_overwrite() {
     place.run(&["render", "a.ron", "-o", "sub/../a.ron", "--format", "svg"]).refused("would overwrite");
     assert_eq!(place.files(), ["a.ron", "b.ron", "c.svg", "sub"]);
 }
+
+#[test]
+fn render_takes_a_size_a_scale_and_no_ground() {
+    let place = Place::with(&[("a.ron", SCENE)]);
+    let pixels = |name: &str| tiny_skia::Pixmap::decode_png(&fs::read(place.path(name)).unwrap()).unwrap();
+    let render = |arguments: &[&str]| place.run(&[&["render", "a.ron"], arguments].concat()).clean();
+    render(&["-o", "x.png", "--size", "640x400", "--scale", "2"]);
+    let picture = pixels("x.png");
+    assert_eq!((picture.width(), picture.height(), picture.pixel(0, 0).unwrap().alpha()), (1280, 800, 255));
+    render(&["-o", "y.png", "--transparent"]);
+    let picture = pixels("y.png");
+    assert_eq!((picture.width(), picture.pixel(0, 0).unwrap().alpha()), (960, 0));
+    render(&["-o", "x.svg", "--size", "640x400", "--transparent"]);
+    let svg = fs::read_to_string(place.path("x.svg")).unwrap();
+    assert!(svg.contains(r#"viewBox="0 0 640 400""#) && !svg.contains(r##"fill="#ffffff""##), "{svg}");
+    for wrong in [
+        ["--size", "640"],
+        ["--size", "8x8"],
+        ["--size", "0x0"],
+        ["--size", "-1x90"],
+        ["--scale", "0"],
+        ["--scale", "nan"],
+    ] {
+        let refused = place.run(&["render", "a.ron", &wrong.join("=")]).status(2);
+        assert!(refused.stderr().contains("needed, such as"), "{}", refused.stderr());
+    }
+}
+
+#[test]
+fn render_outlines_text_where_it_is_asked_to() {
+    let place = Place::with(&[("a.ron", SCENE)]);
+    let svg = |name: &str, more: &[&str]| {
+        place.run(&[&["render", "a.ron", "-o", name], more].concat()).clean();
+        fs::read_to_string(place.path(name)).unwrap()
+    };
+    let (text, outlines) = (svg("x.svg", &[]), svg("y.svg", &["--outline-text"]));
+    let count = |svg: &str, what: &str| svg.matches(what).count();
+    assert!(count(&text, "<text") > 1 && count(&outlines, "<text") == 0);
+    assert_eq!(count(&outlines, "aria-label"), count(&text, "<text"));
+    assert!(outlines.contains("aria-label=\"Into glass\"") && outlines.contains('Q'));
+}
