@@ -1,5 +1,4 @@
 use crate::geometry::BoxTree;
-use crate::system::Start;
 
 /// Stretches of one medium that only a few interfaces enclose, with what encloses each: all that a ray inside can meet.
 #[derive(Clone, Debug, Default)]
@@ -37,10 +36,9 @@ impl Cells {
         cell & BoxTree::NO_BOX
     }
 
-    /// The cell that a ray runs into from what it stands on.
+    /// The cell on a side of an interface.
     #[inline(always)]
-    pub(crate) fn of(&self, start: Start) -> u32 {
-        let Start::On { interface, left } = start else { return Self::OPEN };
+    pub(crate) fn of(&self, interface: usize, left: bool) -> u32 {
         self.of_sides[interface][usize::from(!left)]
     }
 

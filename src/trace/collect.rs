@@ -130,23 +130,30 @@ pub(crate) fn collect(
     left -= first.work.followed;
     keep(first);
     while next < plan.jobs() {
+        // A stretch of much more light than those before it is followed again, alone, and the batch ends there.
+        let cap = left.min(ALONE.max(2 * longest));
         let threads = number(rayon::current_num_threads()).min(STRETCHES);
-        let most = if left == 0 { STRETCHES } else { (left / longest).clamp(threads, STRETCHES) };
+        let most = (2 * left).checked_div(cap).unwrap_or(STRETCHES).clamp(threads, STRETCHES);
         let end = plan.jobs().min(next + rays * place(most));
         let follow = |worker: &mut Worker, k: usize| {
             let begin = next + k * rays;
-            worker.follow(begin..end.min(begin + rays), left)
+            worker.follow(begin..end.min(begin + rays), cap)
         };
         let stretches = (0..(end - next).div_ceil(rays)).into_par_iter().map_init(worker, follow);
+        let is_capped = cap < left;
         for mut stretch in stretches.collect::<Vec<_>>() {
-            longest = longest.max(stretch.work.followed);
-            if stretch.work.followed > left {
+            let is_unfinished = is_capped && stretch.work.followed == cap;
+            if is_unfinished || stretch.work.followed > left {
                 stretch = alone.follow(stretch.jobs, left);
             }
+            longest = longest.max(stretch.work.followed);
             left -= stretch.work.followed;
+            next = stretch.jobs.end;
             keep(stretch);
+            if is_unfinished {
+                break;
+            }
         }
-        next = end;
     }
 }
 
@@ -300,6 +307,7 @@ impl Stretch {
     /// The same light at another wavelength, which changes nothing on its way.
     fn at(&self, wavelength: Wavelength) -> Self {
         let mut same = Self { work: self.work.spared(), ..self.clone() };
+        same.summary.told = 0;
         same.rays.iter_mut().for_each(|ray| ray.wavelength = wavelength);
         same.summary.landed.iter_mut().for_each(|(_, hit)| hit.wavelength = wavelength);
         same

@@ -77,10 +77,20 @@ impl<'a> Search<'a> {
     /// behind it tell whether it starts inside, and what rounding has put on the wrong side of the start changes sides.
     #[inline(always)]
     pub fn nearest(&mut self, ray: &Ray) -> Option<Crossing> {
-        let cell = self.system.cells.of(ray.start);
+        let cell = self.cell(ray);
         #[cfg(test)]
         let cell = if self.skips_nothing { Cells::OPEN } else { cell };
         if cell == Cells::NOTHING { None } else { self.first(ray, cell) }
+    }
+
+    /// The cell that the ray runs into. At a corner rounding may have its direction point to the other side than that which it
+    /// counts as heading to: then nothing is known of what it meets.
+    #[inline(always)]
+    fn cell(&self, ray: &Ray) -> u32 {
+        let Start::On { interface, left } = ray.start else { return Cells::OPEN };
+        let across = self.system.interfaces[interface].curve.normal_at(ray.from).dot(ray.direction);
+        let heads_there = if left { across > 0.0 } else { across < 0.0 };
+        if heads_there { self.system.cells.of(interface, left) } else { Cells::OPEN }
     }
 
     #[inline(always)]

@@ -98,19 +98,36 @@ fn crowd(seed: u64) -> Scene {
 #[test]
 fn no_number_of_threads_changes_a_bit_even_where_segments_run_out() {
     let mut scene = crowd(7);
+    scene.trace.min_power = 1e-6;
     for most in [1_000_000, 40_000, 17_001] {
-        scene.trace.min_power = 1e-6;
         scene.trace.max_segments = most;
-        let system = compile(&scene).unwrap().system;
-        let one_by_one = {
-            let mut tree = RayTree::default();
-            visit(&system, &mut tree);
-            tree
-        };
-        for threads in [1, 2, 5] {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            assert!(pool.install(|| trace(&system)).tree == one_by_one, "{threads} threads, {most} segments");
-        }
-        assert!(one_by_one.rays.iter().map(|ray| ray.segments.len()).sum::<usize>() > 20_000);
+        assert!(check_threads(&scene) > 20_000);
     }
+}
+
+/// After very many rays of one segment come some of very many.
+#[test]
+fn no_number_of_threads_changes_a_bit_where_rays_differ_much() {
+    let text = "(
+        bodies: [(shape: Rectangle(4, 3), surface: Mirror)],
+        sources: [
+            (light: Fan(from: (10, 0), direction: Angle(0), spread: 60, rays: 17000)),
+            (light: Point(at: (0.1, 0.2), rays: 40)),
+        ],
+        trace: (max_depth: 20000, min_power: 0, max_segments: 400000),
+    )";
+    assert!(check_threads(&Scene::from_ron(text).unwrap()) > 400_000);
+}
+
+/// Traces a scene one ray after the other and on different numbers of threads; returns how many segments it has.
+fn check_threads(scene: &Scene) -> usize {
+    let system = compile(scene).unwrap().system;
+    let mut one_by_one = RayTree::default();
+    visit(&system, &mut one_by_one);
+    for threads in [1, 2, 5] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let most = scene.trace.max_segments;
+        assert!(pool.install(|| trace(&system)).tree == one_by_one, "{threads} threads, {most} segments");
+    }
+    one_by_one.rays.iter().map(|ray| ray.segments.len()).sum()
 }

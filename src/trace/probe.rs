@@ -228,6 +228,10 @@ impl<'a> Probe<'a> {
 
     #[inline(never)]
     fn arc(&self, index: usize, candidate: &Interface) -> [Option<Met>; 2] {
+        // Of a piece so short that its chord is rounding nothing else would say that the line is far away.
+        if self.passes_by(&candidate.curve, self.sides(&candidate.curve)) {
+            return [None, None];
+        }
         match self.ray.start {
             Start::On { interface, left } if interface == index => return [self.again(candidate, left), None],
             Start::AtVertex(vertex) if candidate.ends.contains(&vertex) => {
