@@ -1,0 +1,252 @@
+//! What an explanation says, before it is written as text, Markdown or LaTeX.
+
+use super::lines::{Letters, Line, direction_at_source, start};
+use super::math::{Letter, Notation, Reading};
+use super::step::{Explanation, Step};
+use crate::report::{one_line, significant};
+use crate::scene::SecondaryRays;
+use crate::system::Action;
+use crate::trace::{Ending, Via};
+
+/// What of an explanation is written. The numbers of its questions are the same in each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// What is given, the laws, the numbers put in, and the results.
+    #[default]
+    Worked,
+    /// A worksheet: what is given, and the laws with blanks for the results.
+    Worksheet,
+    /// The results alone.
+    Key,
+}
+
+/// A piece of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Block {
+    Title(String),
+    Ray(String),
+    Hit(String),
+    Say(Vec<Piece>),
+    /// Numbered results.
+    Items(Vec<Item>),
+}
+
+/// Words, or letters with their values.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Piece {
+    Words(String),
+    Given(Letter),
+}
+
+/// A numbered result.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Item {
+    pub(super) number: String,
+    line: Line,
+    part: Part,
+}
+
+impl Item {
+    /// What equals what.
+    pub(super) fn math(&self, notation: Notation) -> String {
+        let Self { line: Line { letter, formula, unit, .. }, part, .. } = self;
+        let value = letter.value.as_ref().map(|value| value.write(notation) + written_unit(unit, notation));
+        let written = |reading| formula.as_ref().map(|formula| formula.write(reading, notation));
+        let numbers = formula.as_ref().filter(|formula| value.is_some() && formula.has_numbers());
+        let numbers = numbers.map(|formula| formula.write(Reading::Numbers, notation));
+        let name = Some(letter.write(notation).to_owned());
+        let mut sides: Vec<_> = match part {
+            Part::Worked => [name, written(Reading::Letters), numbers, value].into_iter().flatten().collect(),
+            Part::Worksheet => [name, written(Reading::Letters), Some(blank(notation))].into_iter().flatten().collect(),
+            Part::Key => [name, value].into_iter().flatten().collect(),
+        };
+        sides.dedup();
+        sides.join(" = ")
+    }
+
+    /// What is said about the result, in words.
+    pub(super) fn remark(&self) -> String {
+        match (self.part, &self.line) {
+            (Part::Worksheet, _) => String::new(),
+            (_, Line { letter: Letter { value: None, .. }, remark, .. }) => format!("none: {remark}"),
+            (_, line) => line.remark.into(),
+        }
+    }
+}
+
+fn written_unit(unit: &'static str, notation: Notation) -> &'static str {
+    match (unit, notation) {
+        ("°", Notation::Latex) => r"^\circ",
+        _ => unit,
+    }
+}
+
+fn blank(notation: Notation) -> String {
+    if notation == Notation::Latex { r"\underline{\hspace{4em}}" } else { "________" }.into()
+}
+
+/// Explanations of rays of one scene.
+pub(super) fn document(explanations: &[Explanation], part: Part) -> Vec<Block> {
+    let title = explanations.first().map_or("", |explanation| &explanation.title);
+    let mut blocks = Vec::new();
+    if !title.is_empty() {
+        blocks.push(Block::Title(one_line(title)));
+    }
+    for explanation in explanations {
+        Writer { explanation, part }.write(&mut blocks);
+    }
+    blocks
+}
+
+fn words(words: impl Into<String>) -> Piece {
+    Piece::Words(words.into())
+}
+
+struct Writer<'a> {
+    explanation: &'a Explanation,
+    part: Part,
+}
+
+impl Writer<'_> {
+    fn write(&self, blocks: &mut Vec<Block>) {
+        let Explanation { ray, address, steps, .. } = self.explanation;
+        // The letters of the path tell what becomes of the light.
+        blocks.push(Block::Ray(if self.part == Part::Worksheet {
+            format!("Ray {ray}")
+        } else {
+            format!("Ray {address}")
+        }));
+        self.header(blocks);
+        for (k, step) in steps.iter().enumerate() {
+            self.hit(blocks, k + 1, step);
+        }
+        self.end(blocks);
+    }
+
+    fn is_worksheet(&self) -> bool {
+        self.part == Part::Worksheet
+    }
+
+    fn header(&self, blocks: &mut Vec<Block>) {
+        let Explanation { source, source_name, wavelength, power, length_decimals, .. } = self.explanation;
+        let name = source_name.as_ref().map_or(String::new(), |name| format!(", {}", one_line(name)));
+        let (nm, power) = (wavelength.nanometers(), significant(*power));
+        blocks
+            .push(Block::Say(vec![words(format!("Source {source}{name}; vacuum wavelength {nm} nm; power {power}."))]));
+        if self.part == Part::Key {
+            return;
+        }
+        let rounding = format!("Lengths are rounded to {length_decimals} decimals, other numbers to 6 digits.");
+        blocks.push(Block::Say(vec![words(rounding)]));
+        let index = format!(", in index {}.", significant(self.explanation.start.medium_index));
+        let (from, along) =
+            (Piece::Given(start(self.explanation)), Piece::Given(direction_at_source(self.explanation)));
+        blocks.push(Block::Say(vec![words("The ray starts at "), from, words(" along "), along, words(index)]));
+    }
+
+    fn hit(&self, blocks: &mut Vec<Block>, number: usize, step: &Step) {
+        let letters = Letters::new(self.explanation, step);
+        blocks.push(Block::Hit(format!("Hit {number}: {}, {}", one_line(&step.body), kind(step.action))));
+        if self.part != Part::Key {
+            self.given(blocks, number, &letters, step);
+        }
+        let lines = letters.lines().into_iter().enumerate();
+        let item = |(k, line)| Item { number: format!("{number}.{}", k + 1), line, part: self.part };
+        blocks.push(Block::Items(lines.map(item).collect()));
+        if let Some((next, address)) = step.next.as_ref().filter(|_| self.part != Part::Key) {
+            let which = if next.via == Via::Transmission { "transmitted" } else { "reflected" };
+            let how = if self.is_worksheet() {
+                format!("The {which} light goes on.")
+            } else {
+                format!("The {which} light goes on: {address}, {}.", self.share(next.power.total()))
+            };
+            blocks.push(Block::Say(vec![words(how)]));
+        }
+    }
+
+    /// What is known where the light arrives.
+    fn given(&self, blocks: &mut Vec<Block>, number: usize, letters: &Letters, step: &Step) {
+        if !self.is_worksheet() {
+            let share = self.share(step.segment.power.total());
+            blocks.push(Block::Say(vec![words(format!("{} arrives, {share}.", step.address))]));
+        }
+        let mut given = Vec::new();
+        for (letter, name) in letters.given() {
+            // What the last hit led to is no gift of the next.
+            if letter.plain == "V" && self.is_worksheet() && number > 1 {
+                continue;
+            }
+            given.push(words(if given.is_empty() { "Given: " } else { ", " }));
+            given.push(Piece::Given(letter));
+            given.extend(name.map(|name| words(format!(" ({name})"))));
+        }
+        given.push(words(self.given_in_words(number, step)));
+        blocks.push(Block::Say(given));
+    }
+
+    /// What else is given at a hit.
+    fn given_in_words(&self, number: usize, step: &Step) -> String {
+        let before = number.checked_sub(1).filter(|k| *k > 0 && self.is_worksheet());
+        let direction = before.map_or(String::new(), |k| format!(" V is the direction found at hit {k}."));
+        let shares = match (step.action, self.explanation.secondary_rays) {
+            (Action::Split { reflect, transmit }, _) => {
+                format!(" The beam splitter reflects {reflect} and transmits {transmit}.")
+            }
+            (Action::Refract, SecondaryRays::Fixed { kr, kt }) => {
+                format!(" The scene sets k_r to {kr} and k_t to {kt} where light is transmitted.")
+            }
+            (Action::Refract, SecondaryRays::TransmittedOnly) => {
+                " The transmitted ray carries everything, where there is one.".into()
+            }
+            _ => String::new(),
+        };
+        format!(".{direction}{shares}")
+    }
+
+    fn share(&self, power: f64) -> String {
+        format!("carrying {} of the ray's power", significant(power / self.explanation.power))
+    }
+
+    fn end(&self, blocks: &mut Vec<Block>) {
+        blocks.push(Block::Hit("End".into()));
+        let words = if self.is_worksheet() {
+            format!(
+                "How does the path end? {} By how much is the light deviated in all? {}",
+                blank(Notation::Plain),
+                blank(Notation::Plain)
+            )
+        } else {
+            self.ending()
+        };
+        blocks.push(Block::Say(vec![Piece::Words(words)]));
+    }
+
+    fn ending(&self) -> String {
+        let Explanation { address, end, children, .. } = self.explanation;
+        let how = match end.ending {
+            Ending::Interface => format!("ends at the last hit, where {} begin", children.join(" and ")),
+            Ending::Absorbed => "is absorbed at the last hit".into(),
+            Ending::Detected => "lands on the screen".into(),
+            Ending::Escaped => "leaves the scene".into(),
+            Ending::CutMinPower => "is not followed: it carries less than the scene's min_power".into(),
+            Ending::CutMaxDepth => "is not followed: as many hits as the scene's max_depth lie behind it".into(),
+            Ending::CutMaxSegments => "is not followed: the scene's max_segments are spent".into(),
+        };
+        let direction = super::math::Value::vector(end.direction).write(Notation::Plain);
+        let deviation = significant(self.explanation.deviation_degrees(end.direction));
+        let share = self.share(end.power.total());
+        format!("{address} {how}, {share}, along {direction}: a deviation of {deviation}° in all.")
+    }
+}
+
+/// What a boundary is.
+fn kind(action: Action) -> &'static str {
+    match action {
+        Action::Refract => "face between two media",
+        Action::Mirror => "mirror",
+        Action::Absorb => "absorber",
+        Action::Detect { .. } => "screen",
+        Action::Split { .. } => "beam splitter",
+        Action::ThinLens { .. } => "ideal thin lens",
+    }
+}
