@@ -5,6 +5,7 @@
 //! last digit. So each line has the tolerance that its own numbers leave it.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::disallowed_methods, reason = "functions other than the program's own, on purpose")]
 
 #[path = "explain/formula.rs"]
 mod formula;

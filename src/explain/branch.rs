@@ -49,15 +49,16 @@ pub fn brightest(tree: &RayTree) -> Vec<(&TracedRay, SegmentId)> {
 }
 
 fn brightest_end(ray: &TracedRay) -> SegmentId {
+    let stronger = |first: &'_ Segment, second: &'_ Segment| second.power.total() > first.power.total();
+    let brightest: Vec<Option<&Segment>> = children_of_all(ray)
+        .into_iter()
+        .map(|children| children.into_iter().reduce(|a, b| if stronger(a, b) { b } else { a }))
+        .collect();
     let mut end = SegmentId(0);
-    loop {
-        let next = children(ray, end)
-            .reduce(|first, second| if second.power.total() > first.power.total() { second } else { first });
-        match next {
-            Some(next) => end = next.id,
-            None => return end,
-        }
+    while let Some(next) = brightest.get(end.index()).copied().flatten() {
+        end = next.id;
     }
+    end
 }
 
 /// The branch with an address `SOURCE.RAY[@NM]:PATH`, as [`TracedRay::address`] writes it.
@@ -73,22 +74,29 @@ pub fn find<'a>(tree: &'a RayTree, address: &str) -> Result<(&'a TracedRay, Segm
     let Some(ray) = tree.rays.iter().find(|ray| ray.name() == name) else {
         return Err(unknown(format!("the scene has no '{name}'"), close_names(tree, name)));
     };
+    let children = children_of_all(ray);
     let mut end = SegmentId(0);
     for letter in path.chars() {
-        let Some(next) = children(ray, end).find(|next| next.via.letter() == Some(letter)) else {
-            let close = children(ray, end).map(|next| ray.address(next.id)).chain([ray.address(end)]).collect();
+        let next = children.get(end.index()).map_or(&[][..], Vec::as_slice);
+        let Some(taken) = next.iter().find(|next| next.via.letter() == Some(letter)) else {
             let last = ray.address(end);
+            let close = next.iter().map(|next| ray.address(next.id)).chain([last.clone()]).collect();
             return Err(unknown(format!("no '{letter}' follows after '{last}'"), close));
         };
-        end = next.id;
+        end = taken.id;
     }
     Ok((ray, end))
 }
 
-/// The segments that begin where one ends.
-pub(super) fn children(ray: &TracedRay, parent: SegmentId) -> impl Iterator<Item = &Segment> {
-    // Depth-first: they come later in the list.
-    ray.segments.iter().skip(parent.index() + 1).filter(move |segment| segment.parent == Some(parent))
+/// The segments that begin where each one ends, by its place.
+fn children_of_all(ray: &TracedRay) -> Vec<Vec<&Segment>> {
+    let mut children = vec![Vec::new(); ray.segments.len()];
+    for segment in &ray.segments {
+        if let Some(siblings) = segment.parent.and_then(|parent| children.get_mut(parent.index())) {
+            siblings.push(segment);
+        }
+    }
+    children
 }
 
 /// The addresses of the rays with the names closest to one: first by SOURCE.RAY, then by the wavelength.
@@ -103,4 +111,55 @@ fn close_names(tree: &RayTree, name: &str) -> Vec<String> {
     let mut rays: Vec<_> = tree.rays.iter().map(|ray| (distance(ray), ray)).collect();
     rays.sort_by(|((a, nm_a), _), ((b, nm_b), _)| a.cmp(b).then(nm_a.total_cmp(nm_b)));
     rays.into_iter().take(SUGGESTIONS).map(|(_, ray)| format!("{}:", ray.name())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Scene, compile, trace};
+
+    fn tree(fields: &str) -> RayTree {
+        let scene = Scene::from_ron(&format!("({fields})")).unwrap();
+        trace(&compile(&scene).unwrap().system).tree
+    }
+
+    fn brightest_addresses(fields: &str) -> Vec<String> {
+        let tree = tree(fields);
+        brightest(&tree).into_iter().map(|(ray, end)| ray.address(end)).collect()
+    }
+
+    #[test]
+    fn the_brightest_path_goes_with_the_power() {
+        let splitter = |reflect: f64| {
+            brightest_addresses(&format!(
+                "bodies: [(shape: Flat(from: (0, -9), to: (0, 9)), surface: BeamSplitter(reflect: {reflect}, transmit: 0.4))],
+                sources: [(light: Beam(center: (-9, 1), direction: Angle(0), width: 2, rays: 3)),
+                          (light: Point(at: (-5, 0), rays: 1))]"
+            ))
+        };
+        assert_eq!(splitter(0.5), ["0.0:r", "1.0:r"]);
+        assert_eq!(splitter(0.4), ["0.0:t", "1.0:t"], "transmitted of two equals");
+        assert_eq!(splitter(0.3), ["0.0:t", "1.0:t"]);
+    }
+
+    #[test]
+    fn a_tree_without_rays_has_no_brightest_path() {
+        assert!(brightest(&RayTree::default()).is_empty());
+    }
+
+    #[test]
+    fn every_address_leads_to_its_branch() {
+        let tree = tree(
+            "bodies: [(shape: Rectangle(9, 40), rotate: 20, medium: Index(1.5))],
+            sources: [(light: Fan(from: (-30, 0), direction: Angle(0), spread: 9, rays: 3), spectrum: Lines([500, 600.5]))]",
+        );
+        for ray in &tree.rays {
+            for segment in &ray.segments {
+                let (found, end) = find(&tree, &ray.address(segment.id)).unwrap();
+                assert_eq!((found.name(), end), (ray.name(), segment.id));
+            }
+        }
+        assert_eq!(find(&tree, "0.2@600.50:t").unwrap_err().close[0], "0.2@600.5:");
+        assert!(find(&tree, &"9".repeat(1_000_000)).is_err());
+    }
 }

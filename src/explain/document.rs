@@ -1,12 +1,12 @@
 //! What an explanation says, before it is written as text, Markdown or LaTeX.
 
 use super::lines::{Letters, Line, direction_at_source, start};
-use super::math::{Letter, Notation, Reading};
+use super::math::{Letter, Notation, Reading, Value};
 use super::step::{Explanation, Step};
 use crate::report::{one_line, significant};
 use crate::scene::SecondaryRays;
 use crate::system::Action;
-use crate::trace::{Ending, Via};
+use crate::trace::{Ending, Segment, Via};
 
 /// What of an explanation is written. The numbers of its questions are the same in each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -98,6 +98,9 @@ pub(super) fn document(explanations: &[Explanation], part: Part) -> Vec<Block> {
     blocks
 }
 
+/// Longer addresses are not written out at every hit.
+const LONGEST: usize = 80;
+
 fn words(words: impl Into<String>) -> Piece {
     Piece::Words(words.into())
 }
@@ -153,22 +156,18 @@ impl Writer<'_> {
         let lines = letters.lines().into_iter().enumerate();
         let item = |(k, line)| Item { number: format!("{number}.{}", k + 1), line, part: self.part };
         blocks.push(Block::Items(lines.map(item).collect()));
-        if let Some((next, address)) = step.next.as_ref().filter(|_| self.part != Part::Key) {
+        if let Some(next) = step.next.filter(|_| self.part != Part::Key) {
             let which = if next.via == Via::Transmission { "transmitted" } else { "reflected" };
-            let how = if self.is_worksheet() {
-                format!("The {which} light goes on.")
-            } else {
-                format!("The {which} light goes on: {address}, {}.", self.share(next.power.total()))
-            };
-            blocks.push(Block::Say(vec![words(how)]));
+            let how = if self.is_worksheet() { String::new() } else { format!(": {}", self.carrying(number, &next)) };
+            blocks.push(Block::Say(vec![words(format!("The {which} light goes on{how}."))]));
         }
     }
 
     /// What is known where the light arrives.
     fn given(&self, blocks: &mut Vec<Block>, number: usize, letters: &Letters, step: &Step) {
         if !self.is_worksheet() {
-            let share = self.share(step.segment.power.total());
-            blocks.push(Block::Say(vec![words(format!("{} arrives, {share}.", step.address))]));
+            let arrives = format!("Light arrives: {}.", self.carrying(number - 1, &step.segment));
+            blocks.push(Block::Say(vec![words(arrives)]));
         }
         let mut given = Vec::new();
         for (letter, name) in letters.given() {
@@ -203,8 +202,13 @@ impl Writer<'_> {
         format!(".{direction}{shares}")
     }
 
-    fn share(&self, power: f64) -> String {
-        format!("carrying {} of the ray's power", significant(power / self.explanation.power))
+    /// A branch of the path by its address, and what it carries.
+    fn carrying(&self, hits: usize, segment: &Segment) -> String {
+        let address = shortened(self.explanation.address_behind(hits));
+        match significant(segment.power.total() / self.explanation.power).as_str() {
+            "1" => format!("{address}, with all of the ray's power"),
+            share => format!("{address}, with {share} of the ray's power"),
+        }
     }
 
     fn end(&self, blocks: &mut Vec<Block>) {
@@ -222,20 +226,28 @@ impl Writer<'_> {
     }
 
     fn ending(&self) -> String {
-        let Explanation { address, end, children, .. } = self.explanation;
+        let Explanation { end, children, steps, .. } = self.explanation;
         let how = match end.ending {
             Ending::Interface => format!("ends at the last hit, where {} begin", children.join(" and ")),
             Ending::Absorbed => "is absorbed at the last hit".into(),
             Ending::Detected => "lands on the screen".into(),
             Ending::Escaped => "leaves the scene".into(),
-            Ending::CutMinPower => "is not followed: it carries less than the scene's min_power".into(),
-            Ending::CutMaxDepth => "is not followed: as many hits as the scene's max_depth lie behind it".into(),
-            Ending::CutMaxSegments => "is not followed: the scene's max_segments are spent".into(),
+            Ending::CutMinPower => "is not followed, since it carries less than the scene's min_power".into(),
+            Ending::CutMaxDepth => "is not followed, since as many hits as the scene's max_depth lie behind it".into(),
+            Ending::CutMaxSegments => "is not followed, since the scene's max_segments are spent".into(),
         };
-        let direction = super::math::Value::vector(end.direction).write(Notation::Plain);
-        let deviation = significant(self.explanation.deviation_degrees(end.direction));
-        let share = self.share(end.power.total());
-        format!("{address} {how}, {share}, along {direction}: a deviation of {deviation}° in all.")
+        let direction = Value::vector(end.direction).write(Notation::Plain);
+        let deviation = Value::number(self.explanation.deviation_degrees(end.direction)).write(Notation::Plain);
+        let carrying = self.carrying(steps.len(), end);
+        format!("{carrying}, {how}. Its direction is {direction}, a deviation of {deviation}° in all.")
+    }
+}
+
+/// An address of many hits with its middle left out.
+fn shortened(address: &str) -> String {
+    match (address.get(..LONGEST / 2), address.get(address.len().saturating_sub(LONGEST / 2)..)) {
+        (Some(first), Some(last)) if address.len() > LONGEST => format!("{first}…{last}"),
+        _ => address.into(),
     }
 }
 

@@ -123,7 +123,7 @@ impl<'a> Letters<'a> {
 
     /// Everything to work out, in order.
     pub(super) fn lines(&self) -> Vec<Line> {
-        let mut lines = vec![self.line_c1()];
+        let mut lines = vec![self.line_c1(), self.line_s1()];
         match self.step.action {
             Action::Refract | Action::Split { .. } => self.face(&mut lines),
             Action::Mirror => lines.extend([self.line_r(), self.theta_1()]),
@@ -142,6 +142,16 @@ impl<'a> Letters<'a> {
 
     fn line_c1(&self) -> Line {
         Line::new(&self.c1, Self::f(&self.n).dot(&self.v).minus())
+    }
+
+    fn line_s1(&self) -> Line {
+        let sine = if self.step.hit.sin_i.abs() < 0.1 {
+            // Toward the normal 1 − C1² would cancel.
+            Formula::Cross(Box::new(Self::f(&self.n)), Box::new(Self::f(&self.v)))
+        } else {
+            constant("1").less(Self::f(&self.c1).square()).root()
+        };
+        Line::new(&self.s1, sine)
     }
 
     fn line_r(&self) -> Line {
@@ -165,24 +175,16 @@ impl<'a> Letters<'a> {
 
     fn theta_1(&self) -> Line {
         let hit = &self.step.hit;
-        // Not every hit has a line for its sine.
-        let sine = if self.has_sine() { hit.sin_i.abs() } else { f64::INFINITY };
-        Self::angle(("θ1", r"\theta_1"), Some(hit.theta_i_degrees()), (&self.s1, sine), (&self.c1, hit.cos_i))
-    }
-
-    fn has_sine(&self) -> bool {
-        matches!(self.step.action, Action::Refract | Action::Split { .. })
+        Self::angle(
+            ("θ1", r"\theta_1"),
+            Some(hit.theta_i_degrees()),
+            (&self.s1, hit.sin_i.abs()),
+            (&self.c1, hit.cos_i),
+        )
     }
 
     /// A face between two media.
     fn face(&self, lines: &mut Vec<Line>) {
-        let sine = if self.step.hit.sin_i.abs() < 0.1 {
-            // Toward the normal 1 − C1² would cancel.
-            Formula::Cross(Box::new(Self::f(&self.n)), Box::new(Self::f(&self.v)))
-        } else {
-            constant("1").less(Self::f(&self.c1).square()).root()
-        };
-        lines.push(Line::new(&self.s1, sine));
         lines.push(Line::new(&self.eta, Self::f(&self.n2).over(&self.n1)));
         self.transmission(lines);
         lines.extend([self.line_r(), self.theta_1()]);
@@ -338,7 +340,7 @@ impl<'a> Letters<'a> {
 
     /// The deviation of the light that goes on.
     fn deviation(&self) -> Option<Line> {
-        let (next, _) = self.step.next.as_ref()?;
+        let next = self.step.next?;
         let taken = if self.step.next_is_transmitted() { &self.t } else { &self.r };
         let from = direction_at_source(self.explanation);
         let delta = number("δ", r"\delta", self.explanation.deviation_degrees(next.direction));

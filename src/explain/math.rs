@@ -265,3 +265,49 @@ impl Writer {
         (format!("{}{sign}{}", self.write(a, hold), self.write(b, right)), hold)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn both(formula: &Formula, notation: Notation) -> [String; 2] {
+        [Reading::Letters, Reading::Numbers].map(|reading| formula.write(reading, notation))
+    }
+
+    fn letter(plain: &'static str, x: f64) -> Formula {
+        Formula::Letter(Letter::new(plain, plain, Some(Value::exact(x))))
+    }
+
+    #[test]
+    fn brackets_stand_where_they_must() {
+        let (a, b, c) = (letter("a", 2.0), letter("b", -3.0), letter("c", 4e-9));
+        let plain = |formula| both(&formula, Notation::Plain);
+        assert_eq!(plain(a.clone().less(b.clone())), ["a - b", "2 - (-3)"]);
+        assert_eq!(plain(a.clone().plus(b.clone()).times(c.clone())), ["(a + b) c", "(2 + (-3))·(4e-9)"]);
+        assert_eq!(plain(a.clone().over(b.clone().times(c.clone()))), ["a/(b c)", "2/((-3)·(4e-9))"]);
+        assert_eq!(plain(b.clone().square().minus()), ["-b²", "-(-3)²"]);
+        assert_eq!(plain(a.clone().plus(c.clone()).root()), ["√(a + c)", "√(2 + 4e-9)"]);
+        let latex = |formula| both(&formula, Notation::Latex);
+        assert_eq!(
+            latex(a.clone().less(b.clone()).over(c.clone())),
+            [r"\frac{a - b}{c}", r"\frac{2 - \left(-3\right)}{4 \cdot 10^{-9}}"]
+        );
+        assert_eq!(latex(a.over(b).square()), [r"\left(\frac{a}{b}\right)^2", r"\left(\frac{2}{-3}\right)^2"]);
+        assert_eq!(latex(c.square())[1], r"\left(4 \cdot 10^{-9}\right)^2");
+    }
+
+    #[test]
+    fn rounding_prints_as_nothing() {
+        let vector = |x, y| Value::vector(DVec2::new(x, y)).write(Notation::Plain);
+        assert_eq!(vector(-6e-17, 1.0 - 1e-16), "(0, 1)");
+        assert_eq!(vector(0.123_456_78, -1.5e-7), "(0.123457, -1.5e-7)");
+        assert_eq!(Value::exact(-5e-16).write(Notation::Plain), "-5e-16");
+    }
+
+    #[test]
+    fn a_letter_without_a_value_leaves_no_numbers() {
+        let unknown = Letter::new("C2", "C_2", None);
+        assert!(!letter("a", 1.0).times(&unknown).has_numbers());
+        assert!(letter("a", 1.0).root().has_numbers());
+    }
+}

@@ -2,7 +2,6 @@
 
 use glam::DVec2;
 
-use super::branch::children;
 use crate::geometry::Curve;
 use crate::light::Wavelength;
 use crate::numerics::{atan2_degrees, cross, dot};
@@ -45,8 +44,6 @@ pub struct Explanation {
 /// A hit of the path, in the letters of the [module](super).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// Address of the segment that arrives.
-    pub address: String,
     /// The segment that arrives.
     pub segment: Segment,
     /// What it met.
@@ -59,8 +56,8 @@ pub struct Step {
     pub action: Action,
     /// Catalog names of the media before and behind, where they have one.
     pub media: [Option<&'static str>; 2],
-    /// The segment by which the path goes on, and its address; `None` at its end.
-    pub next: Option<(Segment, String)>,
+    /// The segment by which the path goes on; `None` at its end.
+    pub next: Option<Segment>,
 }
 
 /// Takes the way from a ray's source to the end of one of its branches apart. A segment that is not in the ray's list has no
@@ -69,8 +66,9 @@ pub struct Step {
 pub fn explain(scene: &Scene, system: &OpticalSystem, ray: &TracedRay, branch: SegmentId) -> Option<Explanation> {
     let path = path(ray, branch);
     let (start, end) = (**path.first()?, **path.last()?);
-    let next = path.iter().skip(1).map(|next| Some((**next, ray.address(next.id)))).chain([None]);
+    let next = path.iter().skip(1).map(|next| Some(**next)).chain([None]);
     let steps = path.iter().zip(next).filter_map(|(segment, next)| step(system, ray, segment, next)).collect();
+    let children = ray.segments.iter().filter(|segment| segment.parent == Some(branch));
     Some(Explanation {
         title: system.title().into(),
         source: ray.source,
@@ -83,7 +81,7 @@ pub fn explain(scene: &Scene, system: &OpticalSystem, ray: &TracedRay, branch: S
         start,
         steps,
         end,
-        children: children(ray, branch).map(|child| ray.address(child.id)).collect(),
+        children: children.map(|child| ray.address(child.id)).collect(),
         length_decimals: length_decimals(system, [start.from]),
     })
 }
@@ -96,9 +94,9 @@ fn path(ray: &TracedRay, branch: SegmentId) -> Vec<&Segment> {
     path
 }
 
-fn step(system: &OpticalSystem, ray: &TracedRay, segment: &Segment, next: Option<(Segment, String)>) -> Option<Step> {
+fn step(system: &OpticalSystem, ray: &TracedRay, segment: &Segment, next: Option<Segment>) -> Option<Step> {
     let (at, hit) = (segment.to?, segment.hit?);
-    let met = interface(system, ray.wavelength, segment, &hit);
+    let met = interface(system, ray.wavelength, at - system.origin(), &hit);
     let action = met.map_or(Action::Refract, |(interface, _)| match interface.action {
         Action::ThinLens { center, focal_length } => {
             Action::ThinLens { center: center + system.origin(), focal_length }
@@ -106,8 +104,7 @@ fn step(system: &OpticalSystem, ray: &TracedRay, segment: &Segment, next: Option
         action => action,
     });
     let media = met.map_or([None; 2], |(_, media)| media.map(|medium| system.media[medium.place()].name()));
-    let (address, body) = (ray.address(segment.id), body_name(system, hit.body));
-    Some(Step { address, segment: *segment, hit, at, body, action, media, next })
+    Some(Step { segment: *segment, hit, at, body: body_name(system, hit.body), action, media, next })
 }
 
 /// The interface of a hit, with the media before and behind: of its body's, the nearest, those first that have the hit's
@@ -115,25 +112,31 @@ fn step(system: &OpticalSystem, ray: &TracedRay, segment: &Segment, next: Option
 fn interface<'a>(
     system: &'a OpticalSystem,
     wavelength: Wavelength,
-    segment: &Segment,
+    at: DVec2,
     hit: &Hit,
 ) -> Option<(&'a Interface, [MediumId; 2])> {
-    let at = segment.to? - system.origin();
     let is_index = |medium, n: f64| system.index(medium, wavelength).to_bits() == n.to_bits();
-    let of_body = system.interfaces().iter().filter(|interface| interface.body == hit.body);
-    let sides = of_body.map(|interface| {
-        let Interface { curve, left, right, .. } = interface;
-        let from_left = curve.normal_at(curve.clamp(curve.project(at))).dot(hit.normal) > 0.0;
-        (interface, if from_left { [*left, *right] } else { [*right, *left] })
+    let mut nearest = None;
+    system.near_point(at, |place| {
+        let interface = &system.interfaces[place];
+        if interface.body != hit.body {
+            return;
+        }
+        let [before, behind] = sides(interface, at, hit.normal);
+        let fits = is_index(before, hit.n_i) && hit.n_t.is_none_or(|n_t| is_index(behind, n_t));
+        let rank = (!fits, distance(&interface.curve, at));
+        if nearest.is_none_or(|(least, _)| rank < least) {
+            nearest = Some((rank, (interface, [before, behind])));
+        }
     });
-    let misfit = |(interface, [before, behind]): &(&Interface, [MediumId; 2])| {
-        let fits = is_index(*before, hit.n_i) && hit.n_t.is_none_or(|n_t| is_index(*behind, n_t));
-        (!fits, distance(&interface.curve, at))
-    };
-    sides.min_by(|a, b| {
-        let ((a, distance_a), (b, distance_b)) = (misfit(a), misfit(b));
-        a.cmp(&b).then(distance_a.total_cmp(&distance_b))
-    })
+    nearest.map(|(_, found)| found)
+}
+
+/// The media on the side to which a normal points, and on the other.
+fn sides(interface: &Interface, at: DVec2, normal: DVec2) -> [MediumId; 2] {
+    let Interface { curve, left, right, .. } = interface;
+    let is_left = curve.normal_at(curve.clamp(curve.project(at))).dot(normal) > 0.0;
+    if is_left { [*left, *right] } else { [*right, *left] }
 }
 
 fn distance(curve: &Curve, p: DVec2) -> f64 {
@@ -141,6 +144,13 @@ fn distance(curve: &Curve, p: DVec2) -> f64 {
 }
 
 impl Explanation {
+    /// Address of the path's branch that has so many hits behind it; the path's own where it has no more.
+    #[must_use]
+    pub fn address_behind(&self, hits: usize) -> &str {
+        // One letter a hit, and all of ASCII.
+        self.address.get(..self.ray.len() + 1 + hits).unwrap_or(&self.address)
+    }
+
     /// The deviation δ of a direction from the ray's at its source, degrees counter-clockwise, above −180 to 180.
     #[must_use]
     pub fn deviation_degrees(&self, direction: DVec2) -> f64 {
@@ -193,7 +203,7 @@ impl Step {
     /// Whether the path goes on with the transmitted light; false at its end.
     #[must_use]
     pub fn next_is_transmitted(&self) -> bool {
-        self.next.as_ref().is_some_and(|(next, _)| next.via == Via::Transmission)
+        self.next.as_ref().is_some_and(|next| next.via == Via::Transmission)
     }
 
     /// The unit vector τ along the boundary: −N turned by +90°.

@@ -169,3 +169,23 @@ const MATH: [(char, &str); 40] = [
     ('⊥', r"\perp"),
     ('∥', r"\parallel"),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_no_markup() {
+        assert_eq!(markdown_words("a*b_c [x](y) <i> $1 #2"), r"a\*b\_c \[x\](y) \<i\> \$1 \#2");
+        assert_eq!(
+            latex_words(r"50% of #1_a & {b} \x^~$"),
+            concat!(r"50\% of \#1\_a \& \{b\} ", r"\textbackslash{}x\textasciicircum{}\textasciitilde{}\$")
+        );
+    }
+
+    #[test]
+    fn characters_that_latex_lacks_are_written_otherwise() {
+        assert_eq!(latex_words("θ → 45°, Größe"), r"$\theta$ $\to$ 45\textdegree{}, Größe");
+        assert_eq!(latex_words("光"), "[U+5149]");
+    }
+}

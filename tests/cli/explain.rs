@@ -22,7 +22,7 @@ fn explain_has_three_forms_and_text_is_the_default() {
     assert_eq!(place.run(&["explain", "a.ron", "--format", "text"]).clean(), text);
     assert!(text.starts_with("Into glass\n==========\n\nRay 0.0:tt\n"), "{text}");
     assert!(text.contains("  1.3   η = n2/n1 = 1.5/1 = 1.5\n"), "{text}");
-    assert!(text.contains("\n0.0:tt lands on the screen, carrying 0.9216 of the ray's power"), "{text}");
+    assert!(text.contains("\n0.0:tt, with 0.9216 of the ray's power, lands on the screen."), "{text}");
     let markdown = place.run(&["explain", "a.ron", "--format", "markdown"]).clean();
     assert!(markdown.starts_with("# Into glass\n\n## Ray 0.0:tt\n"), "{markdown}");
     assert!(markdown.contains("- **1.3** $\\eta = \\frac{n_2}{n_1} = \\frac{1.5}{1} = 1.5$\n"), "{markdown}");

@@ -172,7 +172,7 @@ impl Mul for Value {
         match (self, other) {
             (Number(a), Number(b)) => Number(a.times(b)),
             (Number(a), Vector(x, y)) | (Vector(x, y), Number(a)) => Vector(a.times(x), a.times(y)),
-            (Vector(a, b), Vector(c, d)) => Number(a.times(c) + b.times(d)),
+            (Vector(a, b), Vector(c, d)) => [a.times(c), b.times(d)].map(Number).into_iter().reduce(Add::add).unwrap(),
         }
     }
 }

@@ -176,7 +176,7 @@ impl Check {
     fn end(&mut self, end: &str, direction: Value, power: Value) {
         let told = share(end);
         self.demand(told.meets(power), || format!("at the end {told:?} of the power, not {power:?}"));
-        let along = crate::page::printed(crate::page::between(end, "along ", ": a deviation"), None);
+        let along = crate::page::printed(crate::page::between(end, "Its direction is ", ", a deviation"), None);
         self.demand(along.middle() == direction.middle(), || format!("at the end along {along:?}, not {direction:?}"));
         let deviation = crate::page::printed(crate::page::between(end, "a deviation of ", "° in all"), None).number();
         let expected = self.known["V0"].angle_to(direction).number();

@@ -53,7 +53,7 @@ fn hit(text: &str, decimals: i32) -> PrintedHit {
     for line in text.lines().skip(1) {
         if let Some(given) = line.strip_prefix("Given: ") {
             hit.given = letters(given, decimals);
-        } else if line.contains(" arrives, carrying ") {
+        } else if line.starts_with("Light arrives: ") {
             hit.arriving = Some(share(line));
         } else if let Some(item) = line.strip_prefix("  ") {
             hit.lines.push(item_line(item.split_once(' ').unwrap().1.trim(), decimals));
@@ -64,7 +64,7 @@ fn hit(text: &str, decimals: i32) -> PrintedHit {
 
 /// The share of the ray's power that a sentence tells.
 pub(crate) fn share(sentence: &str) -> Value {
-    printed(between(sentence, "carrying ", " of the ray's power"), None)
+    printed(&between(sentence, ", with ", " of the ray's power").replace("all", "1"), None)
 }
 
 pub(crate) fn between<'a>(text: &'a str, before: &str, after: &str) -> &'a str {

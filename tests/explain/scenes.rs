@@ -202,6 +202,7 @@ fn far_from_the_origin_and_in_scenes_of_every_size() {
 #[test]
 fn a_wrong_result_is_found() {
     let text = printed(&support::run("prisms/white-light"));
+    assert!(solutions(&text).iter().all(|solution| faults(solution).0.is_empty()));
     let lines: Vec<&str> = text.lines().collect();
     let (mut planted, mut found) = (0, 0);
     for (at, line) in lines.iter().enumerate() {
