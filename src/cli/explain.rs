@@ -1,3 +1,4 @@
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -53,11 +54,11 @@ impl Format {
         }
     }
 
-    fn write(self, explanations: &[Explanation], part: Part) -> String {
+    fn write(self, mut out: &mut dyn Write, explanations: &[Explanation], part: Part) -> io::Result<()> {
         match self {
-            Self::Markdown => explain::markdown(explanations, part),
-            Self::Latex => explain::latex(explanations, part),
-            Self::Text => explain::text(explanations, part),
+            Self::Markdown => explain::write_markdown(&mut out, explanations, part),
+            Self::Latex => explain::write_latex(&mut out, explanations, part),
+            Self::Text => explain::write_text(&mut out, explanations, part),
         }
     }
 }
@@ -78,8 +79,8 @@ impl Explain {
             let name = scene::name(&self.scene);
             return Ok(Status::of(Err(Fault(format!("{name}: the scene has no source of light to explain a ray of")))));
         }
-        let written = format.write(&explanations, self.part());
-        Ok(Status::of(target.write(|out| out.write_all(written.as_bytes()))))
+        watch.begin("writing");
+        Ok(Status::of(target.write(|out| format.write(out, &explanations, self.part()))))
     }
 
     fn format(&self, target: &Target) -> Result<Format, Mistake> {

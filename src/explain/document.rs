@@ -85,17 +85,11 @@ fn blank(notation: Notation) -> String {
     if notation == Notation::Latex { r"\underline{\hspace{4em}}" } else { "________" }.into()
 }
 
-/// Explanations of rays of one scene.
-pub(super) fn document(explanations: &[Explanation], part: Part) -> Vec<Block> {
+/// What explanations of rays of one scene say, piece by piece as it is asked for: a path may have a million hits.
+pub(super) fn document(explanations: &[Explanation], part: Part) -> impl Iterator<Item = Block> {
     let title = explanations.first().map_or("", |explanation| &explanation.title);
-    let mut blocks = Vec::new();
-    if !title.is_empty() {
-        blocks.push(Block::Title(one_line(title)));
-    }
-    for explanation in explanations {
-        Writer { explanation, part }.write(&mut blocks);
-    }
-    blocks
+    let title = (!title.is_empty()).then(|| Block::Title(one_line(title)));
+    title.into_iter().chain(explanations.iter().flat_map(move |explanation| Writer { explanation, part }.blocks()))
 }
 
 /// Longer addresses are not written out at every hit.
@@ -105,70 +99,68 @@ fn words(words: impl Into<String>) -> Piece {
     Piece::Words(words.into())
 }
 
+#[derive(Clone, Copy)]
 struct Writer<'a> {
     explanation: &'a Explanation,
     part: Part,
 }
 
-impl Writer<'_> {
-    fn write(&self, blocks: &mut Vec<Block>) {
-        let Explanation { ray, address, steps, .. } = self.explanation;
-        // The letters of the path tell what becomes of the light.
-        blocks.push(Block::Ray(if self.part == Part::Worksheet {
-            format!("Ray {ray}")
-        } else {
-            format!("Ray {address}")
-        }));
-        self.header(blocks);
-        for (k, step) in steps.iter().enumerate() {
-            self.hit(blocks, k + 1, step);
-        }
-        self.end(blocks);
+impl<'a> Writer<'a> {
+    fn blocks(self) -> impl Iterator<Item = Block> + use<'a> {
+        let steps = self.explanation.steps.iter().enumerate();
+        let hits = steps.flat_map(move |(k, step)| self.hit(k + 1, step));
+        self.header().into_iter().chain(hits).chain(self.end())
     }
 
-    fn is_worksheet(&self) -> bool {
+    fn is_worksheet(self) -> bool {
         self.part == Part::Worksheet
     }
 
-    fn header(&self, blocks: &mut Vec<Block>) {
-        let Explanation { source, source_name, wavelength, power, length_decimals, .. } = self.explanation;
+    fn header(self) -> Vec<Block> {
+        let Explanation { ray, address, source, source_name, wavelength, power, length_decimals, .. } =
+            self.explanation;
+        // The letters of the path tell what becomes of the light.
+        let heading = format!("Ray {}", if self.is_worksheet() { ray } else { address });
         let name = source_name.as_ref().map_or(String::new(), |name| format!(", {}", one_line(name)));
         let (nm, power) = (wavelength.nanometers(), significant(*power));
-        blocks
-            .push(Block::Say(vec![words(format!("Source {source}{name}; vacuum wavelength {nm} nm; power {power}."))]));
-        if self.part == Part::Key {
-            return;
+        let source = format!("Source {source}{name}; vacuum wavelength {nm} nm; power {power}.");
+        let mut blocks = vec![Block::Ray(heading), Block::Say(vec![words(source)])];
+        if self.part != Part::Key {
+            let rounding = format!("Lengths are rounded to {length_decimals} decimals, other numbers to 6 digits.");
+            let index = format!(", in index {}.", significant(self.explanation.start.medium_index));
+            let (from, along) = (start(self.explanation), direction_at_source(self.explanation));
+            blocks.push(Block::Say(vec![words(rounding)]));
+            let (from, along) = (Piece::Given(from), Piece::Given(along));
+            blocks.push(Block::Say(vec![words("The ray starts at "), from, words(" along "), along, words(index)]));
         }
-        let rounding = format!("Lengths are rounded to {length_decimals} decimals, other numbers to 6 digits.");
-        blocks.push(Block::Say(vec![words(rounding)]));
-        let index = format!(", in index {}.", significant(self.explanation.start.medium_index));
-        let (from, along) =
-            (Piece::Given(start(self.explanation)), Piece::Given(direction_at_source(self.explanation)));
-        blocks.push(Block::Say(vec![words("The ray starts at "), from, words(" along "), along, words(index)]));
+        blocks
     }
 
-    fn hit(&self, blocks: &mut Vec<Block>, number: usize, step: &Step) {
+    fn hit(self, number: usize, step: &Step) -> Vec<Block> {
         let letters = Letters::new(self.explanation, step);
-        blocks.push(Block::Hit(format!("Hit {number}: {}, {}", one_line(&step.body), kind(step.action))));
+        let mut blocks = vec![Block::Hit(format!("Hit {number}: {}, {}", one_line(&step.body), kind(step.action)))];
+        if self.part == Part::Worked {
+            let arrives = format!("Light arrives: {}.", self.carrying(number - 1, &step.segment));
+            blocks.push(Block::Say(vec![words(arrives)]));
+        }
         if self.part != Part::Key {
-            self.given(blocks, number, &letters, step);
+            blocks.push(Block::Say(self.given(number, &letters, step)));
         }
         let lines = letters.lines().into_iter().enumerate();
         let item = |(k, line)| Item { number: format!("{number}.{}", k + 1), line, part: self.part };
         blocks.push(Block::Items(lines.map(item).collect()));
-        if let Some(next) = step.next.filter(|_| self.part != Part::Key) {
-            let which = if next.via == Via::Transmission { "transmitted" } else { "reflected" };
-            let how = if self.is_worksheet() { String::new() } else { format!(": {}", self.carrying(number, &next)) };
-            blocks.push(Block::Say(vec![words(format!("The {which} light goes on{how}."))]));
-        }
+        blocks.extend(step.next.filter(|_| self.part != Part::Key).map(|next| self.goes_on(number, &next)));
+        blocks
+    }
+
+    fn goes_on(self, number: usize, next: &Segment) -> Block {
+        let which = if next.via == Via::Transmission { "transmitted" } else { "reflected" };
+        let how = if self.is_worksheet() { String::new() } else { format!(": {}", self.carrying(number, next)) };
+        Block::Say(vec![words(format!("The {which} light goes on{how}."))])
     }
 
     /// What is known where the light arrives.
-    fn given(&self, blocks: &mut Vec<Block>, number: usize, letters: &Letters, step: &Step) {
-        if !self.is_worksheet() {
-            let arrives = format!("Light arrives: {}.", self.carrying(number - 1, &step.segment));
-            blocks.push(Block::Say(vec![words(arrives)]));
-        }
+    fn given(self, number: usize, letters: &Letters, step: &Step) -> Vec<Piece> {
         let mut given = Vec::new();
         for (letter, name) in letters.given() {
             // What the last hit led to is no gift of the next.
@@ -180,11 +172,11 @@ impl Writer<'_> {
             given.extend(name.map(|name| words(format!(" ({name})"))));
         }
         given.push(words(self.given_in_words(number, step)));
-        blocks.push(Block::Say(given));
+        given
     }
 
     /// What else is given at a hit.
-    fn given_in_words(&self, number: usize, step: &Step) -> String {
+    fn given_in_words(self, number: usize, step: &Step) -> String {
         let before = number.checked_sub(1).filter(|k| *k > 0 && self.is_worksheet());
         let direction = before.map_or(String::new(), |k| format!(" V is the direction found at hit {k}."));
         let shares = match (step.action, self.explanation.secondary_rays) {
@@ -203,7 +195,7 @@ impl Writer<'_> {
     }
 
     /// A branch of the path by its address, and what it carries.
-    fn carrying(&self, hits: usize, segment: &Segment) -> String {
+    fn carrying(self, hits: usize, segment: &Segment) -> String {
         let address = shortened(self.explanation.address_behind(hits));
         match significant(segment.power.total() / self.explanation.power).as_str() {
             "1" => format!("{address}, with all of the ray's power"),
@@ -211,21 +203,17 @@ impl Writer<'_> {
         }
     }
 
-    fn end(&self, blocks: &mut Vec<Block>) {
-        blocks.push(Block::Hit("End".into()));
-        let words = if self.is_worksheet() {
-            format!(
-                "How does the path end? {} By how much is the light deviated in all? {}",
-                blank(Notation::Plain),
-                blank(Notation::Plain)
-            )
+    fn end(self) -> [Block; 2] {
+        let blank = blank(Notation::Plain);
+        let how = if self.is_worksheet() {
+            format!("How does the path end? {blank} By how much is the light deviated in all? {blank}")
         } else {
             self.ending()
         };
-        blocks.push(Block::Say(vec![Piece::Words(words)]));
+        [Block::Hit("End".into()), Block::Say(vec![words(how)])]
     }
 
-    fn ending(&self) -> String {
+    fn ending(self) -> String {
         let Explanation { end, children, steps, .. } = self.explanation;
         let how = match end.ending {
             Ending::Interface => format!("ends at the last hit, where {} begin", children.join(" and ")),

@@ -35,4 +35,4 @@ mod writers;
 pub use branch::{UnknownAddress, brightest, find};
 pub use document::Part;
 pub use step::{Explanation, Step, explain};
-pub use writers::{latex, markdown, text};
+pub use writers::{latex, markdown, text, write_latex, write_markdown, write_text};

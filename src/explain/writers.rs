@@ -1,19 +1,30 @@
 //! Explanations as plain text, Markdown and LaTeX.
 
+use std::io::{self, Write};
+
 use super::document::{Block, Item, Part, Piece, document};
 use super::math::{Letter, Notation};
 use super::step::Explanation;
+use crate::report::in_memory;
 
 /// Explanations of rays of one scene as plain text, formulas in Unicode.
 #[must_use]
 pub fn text(explanations: &[Explanation], part: Part) -> String {
-    join(document(explanations, part).into_iter().map(|block| match block {
+    in_memory(|out| write_text(out, explanations, part))
+}
+
+/// Writes what [`text`] returns.
+///
+/// # Errors
+/// When `out` cannot be written.
+pub fn write_text(out: &mut impl Write, explanations: &[Explanation], part: Part) -> io::Result<()> {
+    blocks(out, explanations, part, |block| match block {
         Block::Title(title) => format!("{title}\n{}\n", "=".repeat(title.chars().count())),
         Block::Ray(ray) => format!("{ray}\n{}\n", "-".repeat(ray.chars().count())),
         Block::Hit(hit) => format!("{hit}\n"),
-        Block::Say(pieces) => said(&pieces, Notation::Plain, str::to_owned, |math| math) + "\n",
+        Block::Say(pieces) => said(pieces, Notation::Plain, str::to_owned, |math| math) + "\n",
         Block::Items(items) => items.iter().map(text_item).collect(),
-    }))
+    })
 }
 
 fn text_item(item: &Item) -> String {
@@ -23,13 +34,21 @@ fn text_item(item: &Item) -> String {
 /// Explanations of rays of one scene as Markdown, formulas in LaTeX between dollar signs.
 #[must_use]
 pub fn markdown(explanations: &[Explanation], part: Part) -> String {
-    join(document(explanations, part).into_iter().map(|block| match block {
-        Block::Title(title) => format!("# {}\n", markdown_words(&title)),
-        Block::Ray(ray) => format!("## {}\n", markdown_words(&ray)),
-        Block::Hit(hit) => format!("### {}\n", markdown_words(&hit)),
-        Block::Say(pieces) => said(&pieces, Notation::Latex, markdown_words, dollars) + "\n",
+    in_memory(|out| write_markdown(out, explanations, part))
+}
+
+/// Writes what [`markdown`] returns.
+///
+/// # Errors
+/// When `out` cannot be written.
+pub fn write_markdown(out: &mut impl Write, explanations: &[Explanation], part: Part) -> io::Result<()> {
+    blocks(out, explanations, part, |block| match block {
+        Block::Title(title) => format!("# {}\n", markdown_words(title)),
+        Block::Ray(ray) => format!("## {}\n", markdown_words(ray)),
+        Block::Hit(hit) => format!("### {}\n", markdown_words(hit)),
+        Block::Say(pieces) => said(pieces, Notation::Latex, markdown_words, dollars) + "\n",
         Block::Items(items) => items.iter().map(markdown_item).collect(),
-    }))
+    })
 }
 
 fn markdown_item(item: &Item) -> String {
@@ -37,20 +56,30 @@ fn markdown_item(item: &Item) -> String {
     format!("- **{}** {}\n", item.number, with_remark(math, &remark))
 }
 
-/// Explanations of rays of one scene as a LaTeX document that needs nothing but `amsmath`.
+/// Explanations of rays of one scene as a LaTeX document that needs nothing but `amsmath`. A character that its usual fonts
+/// lack is written as its code, such as `[U+5149]`.
 #[must_use]
 pub fn latex(explanations: &[Explanation], part: Part) -> String {
-    let body = join(document(explanations, part).into_iter().map(|block| match block {
-        Block::Title(title) => format!("\\section*{{{}}}\n", latex_words(&title)),
-        Block::Ray(ray) => format!("\\subsection*{{{}}}\n", latex_words(&ray)),
-        Block::Hit(hit) => format!("\\subsubsection*{{{}}}\n", latex_words(&hit)),
-        Block::Say(pieces) => said(&pieces, Notation::Latex, latex_words, dollars) + "\n",
+    in_memory(|out| write_latex(out, explanations, part))
+}
+
+/// Writes what [`latex`] returns.
+///
+/// # Errors
+/// When `out` cannot be written.
+pub fn write_latex(out: &mut impl Write, explanations: &[Explanation], part: Part) -> io::Result<()> {
+    writeln!(out, "{PREAMBLE}")?;
+    blocks(out, explanations, part, |block| match block {
+        Block::Title(title) => format!("\\section*{{{}}}\n", latex_words(title)),
+        Block::Ray(ray) => format!("\\subsection*{{{}}}\n", latex_words(ray)),
+        Block::Hit(hit) => format!("\\subsubsection*{{{}}}\n", latex_words(hit)),
+        Block::Say(pieces) => said(pieces, Notation::Latex, latex_words, dollars) + "\n",
         Block::Items(items) => {
             let items: String = items.iter().map(latex_item).collect();
             format!("\\begin{{description}}\n{items}\\end{{description}}\n")
         }
-    }));
-    format!("{PREAMBLE}\n{body}\n\\end{{document}}\n")
+    })?;
+    writeln!(out, "\n\\end{{document}}")
 }
 
 const PREAMBLE: &str = r"\documentclass{article}
@@ -67,9 +96,18 @@ fn latex_item(item: &Item) -> String {
     format!("\\item[{}] {}\n", item.number, with_remark(math, &remark))
 }
 
-/// Blocks with an empty line between.
-fn join(blocks: impl Iterator<Item = String>) -> String {
-    blocks.collect::<Vec<_>>().join("\n")
+/// Writes everything, an empty line between the blocks.
+fn blocks(
+    out: &mut impl Write,
+    explanations: &[Explanation],
+    part: Part,
+    written: impl Fn(&Block) -> String,
+) -> io::Result<()> {
+    for (k, block) in document(explanations, part).enumerate() {
+        let gap = if k == 0 { "" } else { "\n" };
+        write!(out, "{gap}{}", written(&block))?;
+    }
+    Ok(())
 }
 
 fn dollars(math: String) -> String {

@@ -24,7 +24,7 @@ use crate::light::Power;
 use crate::system::OpticalSystem;
 
 /// What a writer puts into memory.
-fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
+pub(crate) fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
     let mut bytes = Vec::new();
     // A Vec takes every write and all that is written here is UTF-8: the default is never reached.
     write(&mut bytes).ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()

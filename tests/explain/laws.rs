@@ -99,6 +99,8 @@ impl Check {
         }
         let formula = formula.replace("√C2²", "√C2");
         let expected = value(&formula, &known);
+        // Turned back, to either side.
+        let expected = if expected.meets(result) { expected } else { turned(&line.letter, expected) };
         self.demand(expected.meets(result), || format!("{place}: {formula} is {expected:?}, not {result:?}"));
         let Some(numbers) = &line.numbers else { return };
         let middles: Known = known.iter().map(|(letter, value)| (letter.clone(), value.middle())).collect();
@@ -184,5 +186,14 @@ impl Check {
         self.demand(turned.iter().any(|turned| turned.meets(expected)), || {
             format!("deviated by {deviation:?}, not {expected:?}")
         });
+    }
+}
+
+/// A deviation, counted the other way round.
+fn turned(letter: &str, angle: Value) -> Value {
+    if letter == "δ" {
+        angle - Value::Number(Interval::exactly(360.0_f64.copysign(angle.number().low)))
+    } else {
+        angle
     }
 }
