@@ -60,8 +60,8 @@ pub struct Step {
     pub next: Option<Segment>,
 }
 
-/// Takes the way from a ray's source to the end of one of its branches apart. A segment that is not in the ray's list has no
-/// steps. `scene` and `system` are those that the ray was traced in.
+/// Takes the way from a ray's source to the end of one of its branches apart; `None` if the ray has no such branch. `scene` and
+/// `system` are those that the ray was traced in. A branch that ends without a hit adds no step.
 #[must_use]
 pub fn explain(scene: &Scene, system: &OpticalSystem, ray: &TracedRay, branch: SegmentId) -> Option<Explanation> {
     let path = path(ray, branch);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use snellius::explain::{Explanation, Part, brightest, explain, text};
+use snellius::explain::{Explanation, Part, brightest, explain, latex, markdown, text};
 use snellius::trace::SegmentId;
 
 use crate::laws::faults;
@@ -195,6 +195,29 @@ fn far_from_the_origin_and_in_scenes_of_every_size() {
             at(-30.0, 7.0),
         );
         assert_right(&fields, &scene(&fields));
+    }
+}
+
+/// The three forms say the same, and what TeX reads is well formed.
+#[test]
+fn markdown_and_latex_have_the_lines_of_the_text() {
+    for name in support::scene_names() {
+        let explanations = explanations(&support::run(&name));
+        for part in [Part::Worked, Part::Worksheet, Part::Key] {
+            let [text, markdown, latex] = [text, markdown, latex].map(|form| form(&explanations, part));
+            let numbers = |form: &str, before: &str, after: char| -> Vec<String> {
+                let items = form.lines().filter_map(|line| line.strip_prefix(before));
+                items.map(|item| item.split(after).next().unwrap().to_owned()).collect()
+            };
+            assert_eq!(numbers(&markdown, "- **", '*'), numbers(&text, "  ", ' '), "{name}");
+            assert_eq!(numbers(&latex, r"\item[", ']'), numbers(&text, "  ", ' '), "{name}");
+            for line in latex.lines().chain(markdown.lines()) {
+                let bare = line.replace(r"\$", "").replace(r"\{", "").replace(r"\}", "");
+                assert_eq!(bare.matches('$').count() % 2, 0, "{name}: {line}");
+                assert_eq!(bare.matches('{').count(), bare.matches('}').count(), "{name}: {line}");
+                assert_eq!(bare.matches(r"\left(").count(), bare.matches(r"\right)").count(), "{name}: {line}");
+            }
+        }
     }
 }
 
