@@ -5,6 +5,7 @@
 
 mod check;
 mod console;
+mod explain;
 mod interrupt;
 mod materials;
 mod new;
@@ -36,6 +37,7 @@ struct Cli {
 enum Command {
     Render(render::Render),
     Trace(trace::Trace),
+    Explain(explain::Explain),
     Check(check::Check),
     Materials(materials::Materials),
     New(new::New),
@@ -46,6 +48,7 @@ impl Command {
         match self {
             Self::Render(render) => render.run(),
             Self::Trace(trace) => trace.run(),
+            Self::Explain(explain) => explain.run(),
             Self::Check(check) => check.run(),
             Self::Materials(materials) => materials.run(),
             Self::New(new) => Ok(new.run()),
@@ -57,6 +60,7 @@ impl Command {
         match self {
             Self::Render(_) => "render",
             Self::Trace(_) => "trace",
+            Self::Explain(_) => "explain",
             Self::Check(_) => "check",
             Self::Materials(_) => "materials",
             Self::New(_) => "new",

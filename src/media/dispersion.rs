@@ -84,6 +84,12 @@ impl Dispersion {
         Self { formula, range_nm: (0.0, f64::INFINITY), name: "" }
     }
 
+    /// The catalog's name of the medium; `None` for a formula of the user's.
+    #[must_use]
+    pub fn name(&self) -> Option<&'static str> {
+        (!self.name.is_empty()).then_some(self.name)
+    }
+
     /// The vacuum wavelengths in nm at which the formula holds, ends included; 0 to infinity for a formula of the user's.
     #[must_use]
     pub fn range_nm(&self) -> (f64, f64) {

@@ -14,6 +14,8 @@ mod text;
 
 pub use csv::{csv, write_csv};
 pub use json::{SCHEMA, json, summary_json, write_json, write_summary_json};
+pub(crate) use number::{fixed, significant};
+pub(crate) use text::{length_decimals, one_line};
 pub use text::{text, write_text};
 
 use std::io;
@@ -22,19 +24,19 @@ use crate::light::Power;
 use crate::system::OpticalSystem;
 
 /// What a writer puts into memory.
-fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
+pub(crate) fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
     let mut bytes = Vec::new();
     // A Vec takes every write and all that is written here is UTF-8: the default is never reached.
     write(&mut bytes).ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
 }
 
 /// The name by which results refer to a body: its own, or `#k` for the k-th from 0.
-fn body_name(system: &OpticalSystem, body: usize) -> String {
+pub(crate) fn body_name(system: &OpticalSystem, body: usize) -> String {
     system.bodies().get(body).map_or_else(|| format!("#{body}"), |placed| placed.name.clone())
 }
 
 /// The share of a segment's power that the fractions `part` take, 0 to 1; of a segment without power, their mean.
-fn applied(part: Power, power: Power) -> f64 {
+pub(crate) fn applied(part: Power, power: Power) -> f64 {
     // What acts alike on s and p is shown as it is, not rounded by the weights.
     if part.s.to_bits() == part.p.to_bits() {
         return part.s;

@@ -18,7 +18,7 @@ pub(super) fn pair(v: DVec2) -> [Number; 2] {
 }
 
 /// A number rounded to so many decimals, without trailing zeros and without −0.
-pub(super) fn fixed(x: f64, decimals: usize) -> String {
+pub(crate) fn fixed(x: f64, decimals: usize) -> String {
     let digits = format!("{x:.decimals$}");
     let short = if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { &digits };
     if short == "-0" { "0".into() } else { short.into() }
@@ -32,7 +32,7 @@ pub(super) fn share(power: f64, whole: f64) -> String {
 }
 
 /// A number rounded to 6 significant digits.
-pub(super) fn significant(x: f64) -> String {
+pub(crate) fn significant(x: f64) -> String {
     let exponent = decimal_exponent(x);
     if (-5..15).contains(&exponent) {
         return fixed(x, usize::try_from(5 - exponent).unwrap_or(0));

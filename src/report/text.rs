@@ -29,7 +29,8 @@ pub fn text(system: &OpticalSystem, trace: &Trace) -> String {
 /// # Errors
 /// When `out` cannot be written.
 pub fn write_text(out: &mut impl Write, system: &OpticalSystem, trace: &Trace) -> io::Result<()> {
-    let report = Report { system, decimals: length_decimals(system, &trace.tree) };
+    let starts = trace.tree.rays.iter().filter_map(|ray| ray.segments.first()).map(|segment| segment.from);
+    let report = Report { system, decimals: length_decimals(system, starts) };
     if !system.title().is_empty() {
         writeln!(out, "{}\n", one_line(system.title()))?;
     }
@@ -173,9 +174,8 @@ fn depths(ray: &TracedRay) -> Vec<usize> {
 }
 
 /// Decimals that give the size of the scene 7 digits, as far as its distance from the origin leaves any.
-fn length_decimals(system: &OpticalSystem, tree: &RayTree) -> usize {
+pub(crate) fn length_decimals(system: &OpticalSystem, starts: impl IntoIterator<Item = DVec2>) -> usize {
     let curves = system.bodies().iter().flat_map(|body| &body.outlines).flat_map(|outline| &outline.curves);
-    let starts = tree.rays.iter().filter_map(|ray| ray.segments.first()).map(|segment| segment.from);
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for p in curves.flat_map(|curve| [curve.a, curve.midpoint(), curve.b]).chain(starts) {
         low = low.min(p);
@@ -192,7 +192,7 @@ fn count(number: u64, noun: &str) -> String {
 }
 
 /// Words on one line, whatever a scene's author put into them.
-fn one_line(words: &str) -> String {
+pub(crate) fn one_line(words: &str) -> String {
     words.split(char::is_control).collect::<Vec<_>>().join(" ")
 }
 

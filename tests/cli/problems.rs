@@ -15,7 +15,7 @@ fn every_problem_of_every_scene_is_shown_with_its_place() {
         assert!(stderr.lines().any(|line| line.starts_with(place)), "{place} in\n{stderr}");
     }
     assert!(stderr.contains("missing.ron: cannot be read: there is no such file"), "{stderr}");
-    for command in ["trace", "render"] {
+    for command in ["trace", "render", "explain"] {
         let again = place.run(&[command, "bad.ron"]).status(1);
         assert_eq!(again.stdout(), "");
         assert!(stderr.starts_with(&again.stderr()), "the same words from {command}:\n{}", again.stderr());

@@ -11,11 +11,10 @@ const TEMPLATES: [&str; 5] = ["minimal", "prism", "lens", "tir", "mirror"];
 fn help_and_version_are_results() {
     let place = Place::new();
     let help = place.run(&["--help"]).clean();
-    for command in ["render", "trace", "check", "materials", "new"] {
+    for command in ["render", "trace", "explain", "check", "materials", "new"] {
         assert!(help.contains(command), "{help}");
         assert!(place.run(&[command, "--help"]).clean().contains("Usage:"));
     }
-    assert!(!help.contains("explain"));
     assert_eq!(place.run(&["--version"]).clean(), format!("snellius {}\n", env!("CARGO_PKG_VERSION")));
 }
 
@@ -33,7 +32,14 @@ fn a_command_line_that_says_nothing_sensible_is_refused() {
 #[test]
 fn a_pipe_that_nobody_reads_ends_quietly() {
     let place = Place::with(&[("a.ron", SCENE)]);
-    for arguments in [&["trace", "a.ron"][..], &["materials"], &["new", "lens"], &["check", "a.ron"], &["--help"]] {
+    for arguments in [
+        &["trace", "a.ron"][..],
+        &["explain", "a.ron"],
+        &["materials"],
+        &["new", "lens"],
+        &["check", "a.ron"],
+        &["--help"],
+    ] {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let mut command = place.command(arguments);

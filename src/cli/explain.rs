@@ -1,0 +1,117 @@
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use super::console::{Fault, Mistake, Status};
+use super::output::Target;
+use super::progress;
+use super::scene::{self, Ready};
+use super::stats::Stopwatch;
+use crate::explain::{self, Explanation, Part};
+use crate::trace;
+
+/// Print the worked solution of a ray's path: at every hit the laws, with the numbers put in.
+#[derive(Args)]
+pub(super) struct Explain {
+    /// Scene file; '-' is standard input.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// The branch SOURCE.RAY[@NM]:PATH, as 'snellius trace' shows it; without it, the brightest path of each source.
+    #[arg(long, value_name = "ADDRESS")]
+    ray: Option<String>,
+    /// Form of the result; otherwise the extension of -o decides, and without one it is text.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// File to write; '-' is standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print a worksheet: what is given and the laws, with blanks for the results.
+    #[arg(long, conflicts_with = "key")]
+    blank: bool,
+    /// Print the results alone, under the worksheet's numbers.
+    #[arg(long)]
+    key: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Markdown, formulas in LaTeX between dollar signs.
+    Markdown,
+    /// A LaTeX document.
+    Latex,
+    /// Plain text, formulas in Unicode.
+    Text,
+}
+
+impl Format {
+    fn of_extension(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "md" | "markdown" => Some(Self::Markdown),
+            "tex" => Some(Self::Latex),
+            "txt" | "text" => Some(Self::Text),
+            _ => None,
+        }
+    }
+
+    fn write(self, mut out: &mut dyn Write, explanations: &[Explanation], part: Part) -> io::Result<()> {
+        match self {
+            Self::Markdown => explain::write_markdown(&mut out, explanations, part),
+            Self::Latex => explain::write_latex(&mut out, explanations, part),
+            Self::Text => explain::write_text(&mut out, explanations, part),
+        }
+    }
+}
+
+impl Explain {
+    pub(super) fn run(&self) -> Result<Status, Mistake> {
+        let target = self.output.as_deref().map_or(Target::Stdout, Target::from_argument);
+        target.refuse_to_overwrite(std::slice::from_ref(&self.scene))?;
+        let format = self.format(&target)?;
+        let mut watch = Stopwatch::start();
+        let ready = match scene::prepare(&self.scene, &mut watch) {
+            Ok(ready) => ready,
+            Err(fault) => return Ok(Status::of(Err(fault))),
+        };
+        watch.begin("tracing");
+        let explanations = self.explanations(&ready)?;
+        if explanations.is_empty() {
+            let name = scene::name(&self.scene);
+            return Ok(Status::of(Err(Fault(format!("{name}: the scene has no source of light to explain a ray of")))));
+        }
+        watch.begin("writing");
+        Ok(Status::of(target.write(|out| format.write(out, &explanations, self.part()))))
+    }
+
+    fn format(&self, target: &Target) -> Result<Format, Mistake> {
+        match (self.format, target) {
+            (Some(format), _) => Ok(format),
+            (None, Target::Stdout) => Ok(Format::Text),
+            (None, Target::File(path)) => Format::of_extension(path).ok_or_else(|| {
+                Mistake(format!(
+                    "the extension of '{}' is none of md, tex and txt: name the form with --format",
+                    path.display()
+                ))
+            }),
+        }
+    }
+
+    fn part(&self) -> Part {
+        match (self.blank, self.key) {
+            (true, _) => Part::Worksheet,
+            (_, true) => Part::Key,
+            _ => Part::Worked,
+        }
+    }
+
+    fn explanations(&self, Ready { scene, system, .. }: &Ready) -> Result<Vec<Explanation>, Mistake> {
+        let trace = trace::trace_watched(system, &progress::count);
+        let branches = match &self.ray {
+            Some(address) => {
+                vec![explain::find(&trace.tree, address).map_err(|unknown| Mistake(unknown.to_string()))?]
+            }
+            None => explain::brightest(&trace.tree),
+        };
+        Ok(branches.into_iter().filter_map(|(ray, branch)| explain::explain(scene, system, ray, branch)).collect())
+    }
+}
