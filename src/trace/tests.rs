@@ -1,8 +1,10 @@
 use glam::DVec2;
 
 use crate::compile::compile;
+use crate::geometry::Curve;
 use crate::scene::{Body, Direction, Light, Medium, Polarization, Scene, Shape, Source, Spectrum, Substance, Surface};
-use crate::trace::{Ending, Trace, Via, retrace, trace};
+use crate::system::Start;
+use crate::trace::{Ending, Ray, Search, Trace, Via, retrace, trace};
 
 fn body(shape: Shape, substance: Substance) -> Body {
     Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance }
@@ -202,5 +204,25 @@ fn tracing_again_gives_the_same_in_the_same_memory() {
         let before = memory(&again);
         retrace(&system, &mut again);
         assert_eq!(memory(&again), before);
+    }
+}
+
+#[test]
+fn a_line_passes_a_piece_of_an_arc_by_whose_chord_is_rounding() {
+    let mirror = body(Shape::Disk { radius: 40.0 }, Substance::Surface(Surface::Mirror));
+    let mut system = compile(&Scene { bodies: vec![mirror], ..Scene::default() }).unwrap().system;
+    system.interfaces.truncate(1);
+    system.cells.few.truncate(1);
+    let a = DVec2::new(-40.0, 0.0);
+    let ray =
+        Ray { from: DVec2::new(-60.0, 20.0), direction: DVec2::X, medium: system.surroundings(), start: Start::Free };
+    for chord in [-7e-15, 7e-15] {
+        let b = a + DVec2::new(0.0, chord);
+        system.interfaces[0].curve = Curve { a, b, m: a, n: DVec2::X, curvature: 1.0 / 40.0 };
+        for skips_nothing in [false, true] {
+            let mut search = Search::new(&system);
+            search.skips_nothing = skips_nothing;
+            assert_eq!(search.nearest(&ray), None, "chord {chord}, {skips_nothing}");
+        }
     }
 }
