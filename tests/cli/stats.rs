@@ -122,7 +122,7 @@ fn segments_that_are_not_drawn_are_counted() {
 
 #[test]
 fn marks_and_the_font_are_told() {
-    let bare = "diagram: (labels: false, arrows: false, normals: false)";
+    let bare = "diagram: (labels: false, arrows: false, normals: false, angles: false, legend: false)";
     assert!(drawn(&scene(GLASS, RAY, bare), "drawn").ends_with(" segments, 0 marks"));
     assert_eq!(drawn(&scene(GLASS, RAY, bare), "font"), "not loaded");
     let marks = drawn(SCENE, "drawn");
