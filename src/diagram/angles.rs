@@ -140,10 +140,11 @@ impl<'a> Drawer<'a> {
 
     fn placed(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
         let mut places = Vec::new();
+        let size = text.bounds().size();
         for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
             for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
                 let direction = Turn::degrees(aside).apply(toward);
-                let half = (0.5 * text.bounds().size() * direction).abs().element_sum();
+                let half = (0.5 * size * direction).abs().element_sum();
                 places.push((0.4 * rank + 0.6 * step, self.hit.at + (self.radius + outside + half) * direction));
             }
         }

@@ -120,6 +120,7 @@ pub(super) fn chords(shapes: &[Vec<Shape>]) -> impl Iterator<Item = [DVec2; 2]> 
 /// Middles of places inside a body's outline where the whole text fits and no later body covers it.
 fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
     let mut places = Vec::new();
+    let about = centered(text, DVec2::ZERO).bounds().grown(3.0);
     for shape in shapes.iter().filter(|shape| shape.filled) {
         let Some(bounds) = seen([shape], area) else { continue };
         // A little below the middle is the natural place: light mostly crosses the middle.
@@ -127,7 +128,7 @@ fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> V
         for (column, row) in (1..12).flat_map(|column| (1..16).map(move |row| (column, row))) {
             let share = DVec2::new(f64::from(column) / 12.0, f64::from(row) / 16.0);
             let middle = bounds.min + share * bounds.size();
-            let rect = centered(text, middle).bounds().grown(3.0);
+            let rect = about.moved(middle);
             let fits = rim(&rect).into_iter().all(|p| contains(shape, p));
             if fits && !later.iter().flatten().any(|other| covers(other, &rect)) {
                 places.push(((middle - home).length() / bounds.size().max_element(), middle));
@@ -228,8 +229,9 @@ impl Homes {
     /// The same places, dearer the farther they are from the body's own line, and dearer still where another body is
     /// nearer, whose the words would seem to be.
     fn near(&self, places: Vec<(f64, DVec2)>, own: &[Shape], text: &Text) -> Vec<(f64, DVec2)> {
+        let about = centered(text, DVec2::ZERO).bounds();
         let priced = places.into_iter().map(|(cost, p)| {
-            let rect = centered(text, p).bounds();
+            let rect = about.moved(p);
             let apart = |k: usize| self.boxes[k].map(|other| gap(&rect, &other));
             let others = (0..self.boxes.len()).filter(|k| *k != self.own).filter_map(apart);
             let (nearest, own_box) = (others.fold(f64::INFINITY, f64::min), apart(self.own).unwrap_or(0.0));

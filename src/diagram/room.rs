@@ -61,7 +61,8 @@ impl Room {
 
     /// The cheapest of some middles with their costs for a text, `off` pixels from lines; `None` if every one is forbidden.
     pub(super) fn best(&self, text: &Text, places: &[(f64, DVec2)], off: f64) -> Option<(f64, DVec2)> {
-        let rects: Vec<Rect> = places.iter().map(|(_, p)| centered(text, *p).bounds()).collect();
+        let about = centered(text, DVec2::ZERO).bounds();
+        let rects: Vec<Rect> = places.iter().map(|(_, p)| about.moved(*p)).collect();
         let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
         let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all.grown(off))).collect();
         let costs = places.iter().zip(&rects).map(|((cost, p), rect)| (cost + self.cost(rect, &near, off), *p));

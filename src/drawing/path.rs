@@ -146,6 +146,12 @@ impl Rect {
         Self { min: self.min - by, max: self.max + by }
     }
 
+    /// The same elsewhere.
+    #[must_use]
+    pub fn moved(&self, by: DVec2) -> Self {
+        Self { min: self.min + by, max: self.max + by }
+    }
+
     /// Whether a point lies in it, borders included.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {
