@@ -83,14 +83,14 @@ impl<'a> Search<'a> {
         if cell == Cells::NOTHING { None } else { self.first(ray, cell) }
     }
 
-    /// The cell that the ray runs into. At a corner rounding may have its direction point to the other side than that which it
+    /// The cell that the ray runs into. At an edge's end rounding may have its direction point to the other side than that which it
     /// counts as heading to: then nothing is known of what it meets.
     #[inline(always)]
     fn cell(&self, ray: &Ray) -> u32 {
         let Start::On { interface, left } = ray.start else { return Cells::OPEN };
-        let across = self.system.interfaces[interface].curve.normal_at(ray.from).dot(ray.direction);
-        let heads_there = if left { across > 0.0 } else { across < 0.0 };
-        if heads_there { self.system.cells.of(interface, left) } else { Cells::OPEN }
+        let curve = &self.system.interfaces[interface].curve;
+        let heads_left = curve.n.dot(ray.direction) > 0.0;
+        if heads_left == left || !curve.is_straight() { self.system.cells.of(interface, left) } else { Cells::OPEN }
     }
 
     #[inline(always)]
