@@ -57,7 +57,7 @@ pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
         canvas.pixels.fill(tiny_skia::Color::from_rgba8(r, g, b, 255));
     }
     canvas.items(&drawing.items, None);
-    encode(&canvas.pixels).map_err(|error| RenderError::Encode(error.to_string()))
+    encode(canvas.pixels).map_err(|error| RenderError::Encode(error.to_string()))
 }
 
 struct Canvas {
