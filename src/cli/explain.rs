@@ -7,9 +7,9 @@ use super::console::{Fault, Mistake, Status};
 use super::output::Target;
 use super::progress;
 use super::scene::{self, Ready};
-use super::stats::Stopwatch;
+use super::stats::{Stats, Stopwatch};
 use crate::explain::{self, Explanation, Part};
-use crate::trace;
+use crate::trace::{self, RayTree, Trace};
 
 /// Print the worked solution of a ray's path: at every hit the laws, with the numbers put in.
 #[derive(Args)]
@@ -32,6 +32,9 @@ pub(super) struct Explain {
     /// Print the results alone, under the worksheet's numbers.
     #[arg(long)]
     key: bool,
+    /// Print on standard error what was done and what was skipped, where the light went, and the times.
+    #[arg(long)]
+    stats: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -74,26 +77,23 @@ impl Explain {
             Err(fault) => return Ok(Status::of(Err(fault))),
         };
         watch.begin("tracing");
-        let explanations = self.explanations(&ready)?;
+        let Trace { tree, summary } = trace::trace_watched(&ready.system, &progress::count);
+        let explanations = self.explanations(&ready, &tree)?;
         if explanations.is_empty() {
             let name = scene::name(&self.scene);
             return Ok(Status::of(Err(Fault(format!("{name}: the scene has no source of light to explain a ray of")))));
         }
         watch.begin("writing");
-        Ok(Status::of(target.write(|out| format.write(out, &explanations, self.part()))))
+        let status = Status::of(target.write(|out| format.write(out, &explanations, self.part())));
+        if self.stats {
+            Stats { system: &ready.system, summary: &summary, keeps_tree: true, figure: None }
+                .show(&scene::name(&self.scene), &watch);
+        }
+        Ok(status)
     }
 
     fn format(&self, target: &Target) -> Result<Format, Mistake> {
-        match (self.format, target) {
-            (Some(format), _) => Ok(format),
-            (None, Target::Stdout) => Ok(Format::Text),
-            (None, Target::File(path)) => Format::of_extension(path).ok_or_else(|| {
-                Mistake(format!(
-                    "the extension of '{}' is none of md, tex and txt: name the form with --format",
-                    path.display()
-                ))
-            }),
-        }
+        target.form(self.format, Format::Text, Format::of_extension, "md, tex and txt")
     }
 
     fn part(&self) -> Part {
@@ -104,13 +104,12 @@ impl Explain {
         }
     }
 
-    fn explanations(&self, Ready { scene, system, .. }: &Ready) -> Result<Vec<Explanation>, Mistake> {
-        let trace = trace::trace_watched(system, &progress::count);
+    fn explanations(&self, Ready { scene, system, .. }: &Ready, tree: &RayTree) -> Result<Vec<Explanation>, Mistake> {
         let branches = match &self.ray {
             Some(address) => {
-                vec![explain::find(&trace.tree, address).map_err(|unknown| Mistake(unknown.to_string()))?]
+                vec![explain::find(tree, address).map_err(|unknown| Mistake(unknown.to_string()))?]
             }
-            None => explain::brightest(&trace.tree),
+            None => explain::brightest(tree),
         };
         Ok(branches.into_iter().filter_map(|(ray, branch)| explain::explain(scene, system, ray, branch)).collect())
     }

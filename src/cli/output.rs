@@ -20,6 +20,25 @@ impl Target {
         if path == Path::new("-") { Self::Stdout } else { Self::File(path.into()) }
     }
 
+    /// The form of a result: the one asked for, or else that of the file's extension, and the usual one on standard output.
+    /// `known` names the extensions.
+    pub(super) fn form<F>(
+        &self,
+        asked_for: Option<F>,
+        usual: F,
+        of_extension: impl Fn(&Path) -> Option<F>,
+        known: &str,
+    ) -> Result<F, Mistake> {
+        match (asked_for, self) {
+            (Some(form), _) => Ok(form),
+            (None, Self::Stdout) => Ok(usual),
+            (None, Self::File(path)) => of_extension(path).ok_or_else(|| {
+                let path = path.display();
+                Mistake(format!("the extension of '{path}' is none of {known}: name the form with --format"))
+            }),
+        }
+    }
+
     /// Refuses to write a result over one of the scenes it is made from.
     pub(super) fn refuse_to_overwrite(&self, scenes: &[PathBuf]) -> Result<(), Mistake> {
         let Self::File(path) = self else { return Ok(()) };

@@ -59,16 +59,7 @@ impl Trace {
     }
 
     fn format(&self, target: &Target) -> Result<Format, Mistake> {
-        match (self.format, target) {
-            (Some(format), _) => Ok(format),
-            (None, Target::Stdout) => Ok(Format::Text),
-            (None, Target::File(path)) => Format::of_extension(path).ok_or_else(|| {
-                Mistake(format!(
-                    "the extension of '{}' is none of txt, json and csv: name the form with --format",
-                    path.display()
-                ))
-            }),
-        }
+        target.form(self.format, Format::Text, Format::of_extension, "txt, json and csv")
     }
 
     fn trace(&self, target: &Target, format: Format) -> Result<(), Fault> {

@@ -94,6 +94,23 @@ mod tests {
     }
 
     #[test]
+    fn of_many_bodies_those_are_known_that_are_convex_and_what_is_left_behind() {
+        let angle = "Polygon([(0, 0), (4, 0), (4, 1), (1, 1), (1, 4), (0, 4)])";
+        let many = |shape: &str| {
+            let body = |k: u32| format!("(shape: {shape}, at: ({}, 0), medium: Index(1.5))", 9 * k);
+            let bodies: Vec<_> = (0..20).map(body).collect();
+            let scene = Scene::from_ron(&format!("(bodies: [{}])", bodies.join(", "))).unwrap();
+            let cells = compile(&scene).unwrap().system.cells;
+            let sides = cells.of_sides.iter().flatten();
+            let leaving = sides.filter(|cell| Cells::is_open(**cell) && **cell != Cells::OPEN).count();
+            (cells.last_convex, leaving)
+        };
+        assert_eq!(many("Rectangle(4, 4)"), (20, 80));
+        assert_eq!(many(angle), (0, 80), "all sides of an L but those of its inner corner");
+        assert_eq!(many("Disk(2)").0, 0, "no polygon");
+    }
+
+    #[test]
     fn arcs_see_nothing_on_the_side_to_which_they_bulge() {
         assert_eq!(outward("(shape: Disk(2), medium: Index(1.5))"), 2);
         let lens =

@@ -39,9 +39,10 @@ pub(super) fn angles(figure: &Figure<'_>, room: &mut Room) -> (Vec<Item>, Vec<Te
         let is_crowded = hits[..place].iter().any(|other| (other.at - hit.at).length() < 2.0 * RADIUS);
         let drawer = Drawer::new(figure, hit);
         let mut items = if is_crowded { Vec::new() } else { drawer.lines(room) };
-        match drawer.values(room) {
-            Some(values) if !is_crowded => items.extend(values.into_iter().map(Item::from)),
-            _ => unlabelled.push(place),
+        let values = if is_crowded { None } else { drawer.values(room) };
+        match values {
+            Some(values) => items.extend(values.into_iter().map(Item::from)),
+            None => unlabelled.push(place),
         }
         groups.push(items);
     }

@@ -81,17 +81,15 @@ fn marked_hit<'a>(figure: &Figure<'_>, branch: &'a Branch<'_>) -> Option<MarkedH
     if !stands_for_its_source(figure, branch) || is_part_of_fan || theta_1 < SMALLEST || is_thin_lens(figure, &hit) {
         return None;
     }
-    let turns = hit.n_t.is_some_and(|n_t| n_t.to_bits() != hit.n_i.to_bits()) || hit.reflectance.total() > 0.0;
-    if !turns || !figure.frame.area.contains(at) {
+    let refracts = hit.n_t.is_some_and(|n_t| n_t.to_bits() != hit.n_i.to_bits());
+    if !(refracts || hit.reflectance.total() > 0.0) || !figure.frame.area.contains(at) {
         return None;
     }
     let turn = |direction: DVec2| figure.frame.turn(direction).normalize_or_zero();
-    let tangent = -hit.normal.perp();
     let is_drawn = |share: f64| share * branch.share >= figure.scene.diagram.faintest && share > 0.0;
     let power = branch.segment.power;
     let is_reflected = is_drawn(hit.reflected_share(power));
-    let is_transmitted =
-        is_drawn(hit.transmitted_share(power)) && hit.n_t.is_some_and(|n_t| n_t.to_bits() != hit.n_i.to_bits());
+    let is_transmitted = is_drawn(hit.transmitted_share(power)) && refracts;
     // Lines that part have angles of their own.
     let theta_2 = hit.theta_t_degrees().filter(|_| is_transmitted && branch.lines == 1);
     Some(MarkedHit {
@@ -99,23 +97,23 @@ fn marked_hit<'a>(figure: &Figure<'_>, branch: &'a Branch<'_>) -> Option<MarkedH
         at,
         normal: turn(hit.normal),
         back: turn(-branch.segment.direction),
-        reflected: is_reflected.then(|| turn(hit.sin_i * tangent + hit.cos_i * hit.normal)),
-        transmitted: theta_2.and_then(|_| Some(turn(hit.sin_t? * tangent - hit.cos_t? * hit.normal))),
-        along: turn(hit.sin_i.signum() * tangent),
+        reflected: is_reflected.then(|| turn(hit.reflected())),
+        transmitted: theta_2.and_then(|_| hit.transmitted().map(turn)),
+        along: turn(hit.sin_i.signum() * hit.tangent()),
         theta_1,
         theta_2,
-        case: case(&hit, theta_1),
+        case: case(&hit, theta_1, refracts),
     })
 }
 
-fn case(hit: &Hit, theta_1: f64) -> Case {
+fn case(hit: &Hit, theta_1: f64, refracts: bool) -> Case {
     let Some(n_t) = hit.n_t else { return Case::Mirror };
     let critical = hit.critical_degrees();
     let is_at = |angle: f64| (theta_1 - angle).abs() < EQUAL;
     match critical {
         Some(critical) if is_at(critical) => Case::Critical,
         Some(critical) if hit.total_internal_reflection => Case::Total(critical),
-        _ if is_at(atan2_degrees(n_t, hit.n_i)) && n_t.to_bits() != hit.n_i.to_bits() => Case::Brewster,
+        _ if is_at(atan2_degrees(n_t, hit.n_i)) && refracts => Case::Brewster,
         _ => Case::Plain(critical),
     }
 }

@@ -7,13 +7,15 @@ use crate::drawing::{Item, Path, Shape, Stroke, Text, pixel};
 /// Size of the words, pixels.
 pub(super) const SIZE: f64 = 12.0;
 const LINE_HEIGHT: f64 = 18.0;
+/// Height that one line of entries takes, pixels.
+pub(super) const LINE: f64 = LINE_HEIGHT + BELOW;
+const BELOW: f64 = 0.4 * LINE_HEIGHT;
 /// Free space between two entries, pixels.
 const APART: f64 = 26.0;
 /// Length of a sample of a line, and the free space after it, pixels.
 const SAMPLE: [f64; 2] = [30.0, 7.0];
 
 /// Words, after a sample of what they explain if it is a line.
-#[derive(Clone)]
 pub(super) struct Entry {
     pub(super) sample: Option<Stroke>,
     pub(super) text: Text,
@@ -41,7 +43,7 @@ impl Entry {
 
 /// Height that some entries take, pixels.
 pub(super) fn height(entries: &[Entry], width: f64) -> f64 {
-    places(entries, width).last().map_or(0.0, |last| last.y + 0.4 * LINE_HEIGHT)
+    places(entries, width).last().map_or(0.0, |last| last.y + BELOW)
 }
 
 /// The entries side by side, in as many lines as it takes below a corner.

@@ -3,12 +3,12 @@
 use glam::DVec2;
 
 use crate::diagram::Figure;
-use crate::diagram::branches::Branch;
+use crate::diagram::branches::{Branch, share};
 use crate::diagram::key::{self, Entry};
 use crate::diagram::styles::strength;
 use crate::drawing::{Stroke, Text};
-use crate::scene::RayColor;
-use crate::trace::Via;
+use crate::scene::{RayColor, Scene};
+use crate::trace::{RayTree, Via};
 
 /// More lines are a spectrum, which explains itself.
 const MOST_LINES: usize = 6;
@@ -32,6 +32,12 @@ pub(super) fn legend(figure: &Figure<'_>, spared: usize) -> Vec<Entry> {
         entries.push(Entry { sample: None, text: text(figure, &words) });
     }
     entries
+}
+
+/// Whether some branch carries so little that the legend will have something to tell.
+pub(super) fn has_weak_branches(scene: &Scene, tree: &RayTree) -> bool {
+    let weak = SHARES[1].max(scene.diagram.faintest);
+    tree.rays.iter().any(|ray| ray.segments.iter().any(|segment| share(ray, segment) < weak))
 }
 
 fn text(figure: &Figure<'_>, words: &str) -> Text {

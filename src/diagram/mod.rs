@@ -88,15 +88,17 @@ pub(crate) fn laid_out(
     let palette = Palette::of(scene.diagram.theme);
     let (header, top) = header::header(scene, &palette);
     // What stands below the scene takes room from it, so that more of it may have to stand there.
-    let mut foot = 0.0;
+    // A legend of one line is expected where it will be needed, so that most figures are laid out once.
+    let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
+    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }, is_expected);
     let (mut items, mut statistics) = loop {
         let (mut figure, statistics) = seen(scene, system, tree, area(scene, top, foot), everywhere);
         let (layers, below) = figure.layers(statistics.segments_below_faintest);
         let taken = key::height(&below, figure.frame.area.size().x);
-        if taken <= foot {
+        if taken <= foot && !(is_guess && taken < foot) {
             break (figure.with_key(layers, &below), statistics);
         }
-        foot = taken;
+        (foot, is_guess) = (taken, false);
     };
     items.push(Group::layer("header", header).into());
     statistics.count(&items);

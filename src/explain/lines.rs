@@ -98,8 +98,8 @@ impl<'a> Letters<'a> {
             discriminant: Letter::new("C2²", "C_2^2", step.discriminant().map(Value::exact)),
             c2: Letter::new("C2", "C_2", hit.cos_t.map(Value::exact)),
             s2: number("S2", "S_2", hit.sin_t.map(f64::abs)),
-            t: Letter::new("T", r"\vec T", step.transmitted().map(Value::vector)),
-            r: Letter::new("R", r"\vec R", Some(Value::vector(step.reflected()))),
+            t: Letter::new("T", r"\vec T", step.hit.transmitted().map(Value::vector)),
+            r: Letter::new("R", r"\vec R", Some(Value::vector(step.hit.reflected()))),
         }
     }
 
@@ -293,7 +293,7 @@ impl<'a> Letters<'a> {
         let ThinLensLetters { m, f, tau } = self.lens_letters(focal_length);
         let (step, hit) = (self.step, &self.step.hit);
         let height = match step.action {
-            Action::ThinLens { center, .. } => (step.at - center).dot(step.tangent()),
+            Action::ThinLens { center, .. } => (step.at - center).dot(step.hit.tangent()),
             _ => 0.0,
         };
         let h = Letter::new("h", "h", Some(Value::length(height, self.explanation.length_decimals)));
@@ -334,7 +334,7 @@ impl<'a> Letters<'a> {
         ThinLensLetters {
             m: Letter::new("M", "M", Some(Value::point(center, decimals))),
             f: number("f", "f", focal_length),
-            tau: Letter::new("τ", r"\vec\tau", Some(Value::vector(self.step.tangent()))),
+            tau: Letter::new("τ", r"\vec\tau", Some(Value::vector(self.step.hit.tangent()))),
         }
     }
 

@@ -185,31 +185,10 @@ impl Step {
         Some((1.0 - sin_t) * (1.0 + sin_t))
     }
 
-    /// The transmitted unit direction T = V/η + (C1/η − C2) N, computed as S2 τ − C2 N; at an ideal lens what that makes of V.
-    /// `None` at total internal reflection and where nothing can be transmitted.
-    #[must_use]
-    pub fn transmitted(&self) -> Option<DVec2> {
-        let Hit { sin_t, cos_t, normal, total_internal_reflection, .. } = self.hit;
-        if total_internal_reflection { None } else { Some(sin_t? * self.tangent() - cos_t? * normal) }
-    }
-
-    /// The reflected unit direction R = V + 2 C1 N.
-    #[must_use]
-    pub fn reflected(&self) -> DVec2 {
-        let Hit { sin_i, cos_i, normal, .. } = self.hit;
-        sin_i * self.tangent() + cos_i * normal
-    }
-
     /// Whether the path goes on with the transmitted light; false at its end.
     #[must_use]
     pub fn next_is_transmitted(&self) -> bool {
         self.next.as_ref().is_some_and(|next| next.via == Via::Transmission)
-    }
-
-    /// The unit vector τ along the boundary: −N turned by +90°.
-    #[must_use]
-    pub fn tangent(&self) -> DVec2 {
-        -self.hit.normal.perp()
     }
 
     /// The shares k_r, k_t and c_local of the arriving power that are reflected, transmitted, and stay; they add to 1.

@@ -49,7 +49,8 @@ pub fn trace(system: &OpticalSystem) -> Trace {
     trace_watched(system, &|_| {})
 }
 
-/// [`trace`], telling `progress` now and then how many more segments there are; from any thread.
+/// [`trace`], telling `progress` now and then how many more segments there are; from any thread. What is followed twice, since
+/// the segments of the scene run out, is told twice.
 #[must_use]
 pub fn trace_watched(system: &OpticalSystem, progress: &(dyn Fn(u64) + Sync)) -> Trace {
     let mut tree = RayTree::default();

@@ -131,6 +131,26 @@ pub struct Hit {
 }
 
 impl Hit {
+    /// The unit vector τ along the boundary: −N turned by +90°.
+    #[must_use]
+    pub fn tangent(&self) -> DVec2 {
+        -self.normal.perp()
+    }
+
+    /// The reflected unit direction R = V + 2 C1 N, computed as S1 τ + C1 N.
+    #[must_use]
+    pub fn reflected(&self) -> DVec2 {
+        self.sin_i * self.tangent() + self.cos_i * self.normal
+    }
+
+    /// The transmitted unit direction T, computed as S2 τ − C2 N. `None` at total internal reflection and where nothing can be
+    /// transmitted.
+    #[must_use]
+    pub fn transmitted(&self) -> Option<DVec2> {
+        let direction = self.sin_t? * self.tangent() - self.cos_t? * self.normal;
+        (!self.total_internal_reflection).then_some(direction)
+    }
+
     /// Angle of incidence in degrees from the normal, 0 to 90.
     #[must_use]
     pub fn theta_i_degrees(&self) -> f64 {

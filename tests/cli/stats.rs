@@ -103,6 +103,7 @@ fn stats_tell_whether_the_tree_was_stored_and_a_figure_drawn() {
         assert_eq!(stat(SCENE, &["trace", "--format", form], "ray tree"), "stored");
     }
     assert_eq!(stat(SCENE, &["trace", "--format", "summary"], "ray tree"), "not stored, only its sums");
+    assert_eq!(stat(SCENE, &["explain"], "ray tree"), "stored");
     assert_eq!(drawn(SCENE, "ray tree"), "stored");
     assert_eq!(traced(SCENE, "drawn"), "nothing");
     assert!(!drawn(SCENE, "drawn").starts_with('0'), "{}", drawn(SCENE, "drawn"));
