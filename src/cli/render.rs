@@ -37,6 +37,9 @@ pub(super) struct Render {
     /// Width and height of the figure in pixels, such as 1280x720, in place of the scene's own.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Option<[u32; 2]>,
+    /// Colors for a white page, a dark room or a black-and-white printer, in place of the scene's own.
+    #[arg(long, value_enum)]
+    theme: Option<Theme>,
     /// Pixels of a PNG to a pixel of the figure: 2 for screens with fine pixels.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = scale)]
     scale: f32,
@@ -49,6 +52,16 @@ pub(super) struct Render {
     /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Theme {
+    /// White ground.
+    Light,
+    /// Dark ground.
+    Dark,
+    /// White ground, black ink; dashes tell lines apart.
+    Print,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -77,6 +90,16 @@ impl Format {
     fn of_extension(path: &Path) -> Option<Self> {
         let extension = path.extension()?;
         [Self::Svg, Self::Png].into_iter().find(|format| extension.eq_ignore_ascii_case(format.extension()))
+    }
+}
+
+impl From<Theme> for crate::scene::Theme {
+    fn from(theme: Theme) -> Self {
+        match theme {
+            Theme::Light => Self::Light,
+            Theme::Dark => Self::Dark,
+            Theme::Print => Self::Print,
+        }
     }
 }
 
@@ -161,7 +184,9 @@ impl Render {
     fn draw(&self, job: &Job) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
         let mut ready = scene::prepare(job.scene, &mut watch)?;
-        ready.scene.diagram.size = self.size.unwrap_or(ready.scene.diagram.size);
+        let settings = &mut ready.scene.diagram;
+        settings.size = self.size.unwrap_or(settings.size);
+        settings.theme = self.theme.map_or(settings.theme, crate::scene::Theme::from);
         watch.begin("tracing");
         let Trace { tree, summary } = trace::trace_watched(&ready.system, &progress::count);
         watch.begin("drawing");

@@ -97,6 +97,18 @@ fn render_takes_a_size_a_scale_and_no_ground() {
 }
 
 #[test]
+fn render_takes_a_theme() {
+    let place = Place::with(&[("a.ron", SCENE)]);
+    for (theme, ground) in [("light", "#ffffff"), ("dark", "#10161d"), ("print", "#ffffff")] {
+        place.run(&["render", "a.ron", "-o", "x.svg", "--theme", theme]).clean();
+        let svg = fs::read_to_string(place.path("x.svg")).unwrap();
+        assert!(svg.contains(&format!("fill=\"{ground}\"")), "{theme}");
+        assert_eq!(svg.contains("stroke=\"#000000\""), theme == "print", "{theme}");
+    }
+    place.run(&["render", "a.ron", "--theme", "sepia"]).status(2);
+}
+
+#[test]
 fn render_outlines_text_where_it_is_asked_to() {
     let place = Place::with(&[("a.ron", SCENE)]);
     let svg = |name: &str, more: &[&str]| {
