@@ -189,6 +189,7 @@ impl Render {
         settings.theme = self.theme.map_or(settings.theme, crate::scene::Theme::from);
         watch.begin("tracing");
         let Trace { tree, summary } = trace::trace_watched(&ready.system, &progress::count);
+        ready.warn(diagram::problems(&ready.scene, &tree));
         watch.begin("drawing");
         let (mut drawing, figure) = diagram::draw_counted(&ready.scene, &ready.system, &tree);
         drawing.background = drawing.background.filter(|_| !self.transparent);

@@ -2,37 +2,28 @@
 
 use glam::DVec2;
 
-use crate::diagram::hits::{Case, MarkedHit, marked};
-use crate::diagram::room::{CROSSING, Room, centered};
+use crate::diagram::arc::{OFF_LINES, arc, beside, is_right, square, stroked};
+use crate::diagram::hits::{Case, MarkedHit};
+use crate::diagram::room::{Room, centered};
 use crate::diagram::{Figure, key};
-use crate::drawing::{Anchor, Cap, Color, Font, Group, Item, Path, Shape, Stroke, Text};
+use crate::drawing::{Anchor, Color, Font, Group, Item, Path, Shape, Stroke, Text};
 use crate::numerics::Turn;
 
 const SIZE: f64 = 11.5;
 /// Radius of an arc, pixels, where there is room for it.
 const RADIUS: f64 = 28.0;
 const SMALLEST_RADIUS: f64 = 12.0;
-/// Free space between a value and lines, pixels.
-const OFF_LINES: f64 = 4.0;
-/// Cosines below this belong to right angles.
-const RIGHT: f64 = 0.001;
 /// Side of a right-angle mark, pixels.
 const SQUARE: f64 = 9.0;
 /// Length of the grazing ray that carries nothing, pixels.
 const GRAZING: f64 = 70.0;
-/// How far from the arc's middle a value is sought, degrees.
-const ASIDE: [f64; 16] =
-    [0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 80.0, -80.0, 110.0, -110.0, 150.0, -150.0, 180.0];
-/// How far outside of the arc, pixels.
-const OUTSIDE: [f64; 5] = [4.0, 9.0, 15.0, 22.0, 30.0];
 /// A critical angle is shown if the angle of incidence is at least this share of it.
 const NEAR_CRITICAL: f64 = 0.6;
 /// Radius of the ring around a number, pixels.
 const RING: f64 = 7.0;
 
 /// The marks, a group a hit, and what stands below the figure for the hits that are only numbered.
-pub(super) fn angles(figure: &Figure<'_>, room: &mut Room) -> (Vec<Item>, Vec<Text>) {
-    let hits = marked(figure);
+pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> (Vec<Item>, Vec<Text>) {
     let mut groups = Vec::new();
     let mut unlabelled = Vec::new();
     for (place, hit) in hits.iter().enumerate() {
@@ -115,11 +106,7 @@ impl<'a> Drawer<'a> {
 
     /// The mark between two rays at right angles.
     fn right_angle(&self, one: DVec2, other: DVec2) -> Option<Item> {
-        let mut path = Path::new();
-        path.move_to(self.hit.at + SQUARE * one);
-        path.line_to(self.hit.at + SQUARE * (one + other));
-        path.line_to(self.hit.at + SQUARE * other);
-        (one.dot(other).abs() < RIGHT).then(|| stroked(path, self.color()))
+        is_right(one, other).then(|| stroked(square(self.hit.at, SQUARE, one, other), self.color()))
     }
 
     /// The values in their places; `None` where they do not fit.
@@ -132,27 +119,15 @@ impl<'a> Drawer<'a> {
         values.extend(self.hit.theta_2.zip(transmitted).map(second));
         let before = room.words();
         let placed: Option<Vec<Text>> =
-            values.into_iter().map(|(toward, text)| self.placed(&text, toward.normalize_or_zero(), room)).collect();
+            values.into_iter().map(|(toward, text)| self.beside(&text, toward, room)).collect();
         if placed.is_none() {
             room.forget(before);
         }
         placed
     }
 
-    fn placed(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
-        let mut places = Vec::new();
-        let size = text.bounds().size();
-        for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
-            for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
-                let direction = Turn::degrees(aside).apply(toward);
-                let half = (0.5 * size * direction).abs().element_sum();
-                places.push((0.4 * rank + 0.6 * step, self.hit.at + (self.radius + outside + half) * direction));
-            }
-        }
-        let (_, middle) = room.best(text, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
-        let text = centered(text, middle);
-        room.take(text.bounds());
-        Some(text)
+    fn beside(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
+        beside(text, self.hit.at, self.radius, toward.normalize_or_zero(), room)
     }
 
     /// A number beside the hit.
@@ -204,16 +179,4 @@ impl<'a> Drawer<'a> {
 /// Adds an angle in degrees by its letter.
 fn angle(text: Text, subscript: &str, degrees: f64) -> Text {
     text.then("θ").subscript(subscript).then(&format!("\u{a0}{degrees:.1}°"))
-}
-
-/// The smaller arc about a point between two directions.
-fn arc(at: DVec2, radius: f64, from: DVec2, to: DVec2) -> Path {
-    let mut path = Path::new();
-    path.move_to(at + radius * from);
-    path.arc_to(radius, false, from.perp_dot(to) > 0.0, at + radius * to);
-    path
-}
-
-fn stroked(path: Path, color: Color) -> Item {
-    Shape::stroked(path, Stroke::solid(color, 1.0).capped(Cap::Butt), "").into()
 }

@@ -6,7 +6,9 @@ use crate::diagram::styles::{opacity, strength};
 use crate::drawing::{Fill, Item, Path, Shape};
 
 /// A shorter piece of ray has no arrowhead, pixels.
-const SHORTEST: f64 = 30.0;
+const SHORTEST: f64 = 11.0;
+/// A head takes no more of its branch than this share.
+const LARGEST: f64 = 0.55;
 /// Two arrowheads are at least this far apart, pixels.
 const APART: f64 = 11.0;
 /// Two of opposite ways on one line are at least this far apart, pixels.
@@ -69,7 +71,7 @@ fn free(branch: &Branch<'_>, heads: &[Head]) -> Option<Head> {
     let along = branch.direction();
     for place in PLACES {
         let middle = branch.ends[0].lerp(branch.ends[1], place);
-        let head = Head { tip: middle + along * (0.5 * size(branch) + 2.0), along };
+        let head = Head { tip: middle + along * past_middle(branch), along };
         let in_the_way: Vec<&Head> = heads.iter().filter(|other| !head.clear_of(other)).collect();
         if in_the_way.is_empty() {
             return Some(head);
@@ -81,6 +83,11 @@ fn free(branch: &Branch<'_>, heads: &[Head]) -> Option<Head> {
     None
 }
 
+/// How far the tip stands past the head's place.
+fn past_middle(branch: &Branch<'_>) -> f64 {
+    (0.5 * size(branch) + 2.0).min(0.4 * branch.length())
+}
+
 fn size(branch: &Branch<'_>) -> f64 {
-    8.0 + 4.5 * strength(branch.share)
+    (8.0 + 4.5 * strength(branch.share)).min(LARGEST * branch.length())
 }

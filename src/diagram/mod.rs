@@ -3,12 +3,14 @@
 //! One file a kind of mark; each turns what it needs of scene, system and tree into items of the display list.
 
 mod angles;
+mod arc;
 mod arrows;
 mod blend;
 mod bodies;
 mod branches;
 mod coincidence;
 mod crowd;
+mod deviations;
 mod extensions;
 mod frame;
 mod grid;
@@ -23,6 +25,7 @@ mod notes;
 mod outline;
 mod palette;
 mod paths;
+mod protractors;
 mod rays;
 mod room;
 mod scale_bar;
@@ -31,6 +34,7 @@ mod statistics;
 mod styles;
 mod surfaces;
 mod view;
+mod wavefronts;
 mod wrap;
 
 use glam::DVec2;
@@ -48,6 +52,7 @@ use palette::Palette;
 use room::Room;
 use styles::Styles;
 
+pub use deviations::problems;
 pub use statistics::Statistics;
 
 /// Everything that the marks look at.
@@ -151,16 +156,24 @@ impl Figure<'_> {
         let extensions = extensions::extensions(self);
         let shapes = labels::shapes(self);
         let mut room = Room::new(self, labels::chords(&shapes), &[&normals, &extensions]);
-        let has_angles = settings.angles && crowd_is_empty;
-        let (angles, below) = if has_angles { angles::angles(self, &mut room) } else { Default::default() };
+        let hits = if crowd_is_empty { hits::marked(self) } else { Vec::new() };
+        let (angles, mut below) =
+            if settings.angles { angles::angles(self, &hits, &mut room) } else { Default::default() };
+        let (deviations, unplaced) = deviations::deviations(self, &mut room);
+        below.extend(unplaced);
+        let protractors =
+            if settings.protractor { protractors::protractors(self, &hits, &mut room) } else { Vec::new() };
         let words = labels::labels(self, &shapes, &mut room);
         layers.push(self.layer("normals", normals));
         layers.push(self.layer("extensions", extensions));
+        layers.push(self.layer("protractors", protractors));
+        layers.push(self.layer("wavefronts", wavefronts::wavefronts(self)));
+        layers.push(self.layer("deviations", deviations));
         layers.push(self.layer("rays", rays));
         if settings.arrows {
             layers.push(self.layer("arrows", arrows::arrows(self)));
         }
-        layers.push(Group::layer("angles", angles).into());
+        layers.push(self.layer("angles", angles));
         layers.push(self.layer("sources", sources::sources(self)));
         layers.push(self.layer("labels", words));
         layers.push(Group::layer("notes", notes::notes(self)).into());

@@ -97,6 +97,21 @@ fn render_takes_a_size_a_scale_and_no_ground() {
 }
 
 #[test]
+fn render_warns_of_a_mark_that_cannot_be_made() {
+    let text =
+        SCENE.trim_end().strip_suffix(')').unwrap().to_owned() + "\ndiagram: (deviations: [(\"0.0:\", \"0.9:t\")]))";
+    let place = Place::with(&[("a.ron", &text)]);
+    let run = place.run(&["render", "a.ron"]);
+    assert!(
+        run.stderr().contains(": warning: this deviation is not marked: there is no ray \"0.9:t\""),
+        "{}",
+        run.stderr()
+    );
+    assert!(run.stderr().starts_with("a.ron:") && run.stdout().contains("a.svg"), "{}", run.stderr());
+    run.status(0);
+}
+
+#[test]
 fn render_takes_a_theme() {
     let place = Place::with(&[("a.ron", SCENE)]);
     for (theme, ground) in [("light", "#ffffff"), ("dark", "#10161d"), ("print", "#ffffff")] {
