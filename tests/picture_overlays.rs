@@ -65,7 +65,7 @@ fn a_deviation_is_the_angle_between_two_branches() {
     let marks = layer(&drawing, "deviations");
     let segments = &run.trace.tree.rays[0].segments;
     let [a, b] = [segments[0].direction, segments[2].direction];
-    let degrees = a.angle_to(b).to_degrees().abs();
+    let degrees = snellius::numerics::atan2_degrees(a.perp_dot(b).abs(), a.dot(b));
     assert!(degrees > 30.0);
     assert_eq!(words(&marks), [format!("δ\u{a0}=\u{a0}{degrees:.1}°")]);
 
@@ -148,7 +148,7 @@ fn wavefronts_of_a_point_are_circles() {
     let near = |k: f64| radii.iter().filter(|r| (**r - k * smallest).abs() < 0.1).count();
     assert_eq!((near(1.0), near(2.0), near(3.0)), (24, 24, 24), "all round");
     // Every one is joined to its two neighbors: chords of 15 degrees.
-    let chord = 2.0 * smallest * (7.5_f64).to_radians().sin();
+    let chord = 2.0 * smallest * snellius::numerics::sin((7.5_f64).to_radians());
     let all: Vec<[DVec2; 2]> = paths(&layer(&drawing, "wavefronts")).into_iter().flat_map(lines).collect();
     let chords = all.iter().filter(|[a, b]| ((*b - *a).length() - chord).abs() < 0.05).count();
     assert_eq!(chords, 24);

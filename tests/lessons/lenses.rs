@@ -31,4 +31,5 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("lenses/principal-rays", ideal::three_principal_rays_meet_in_the_image),
     ("lenses/relay", systems::a_relay_images_upside_down_by_the_ratio_of_focal_lengths),
     ("lenses/spherical-aberration", aberrations::rim_rays_cross_earlier),
+    ("lenses/wavefronts", singlets::all_ways_to_the_focus_take_equally_long),
 ];
