@@ -1,11 +1,7 @@
 //! docs/gallery.md, which shows every scene's figure with its words and its file.
 
-use std::fs;
-
-use snellius::Scene;
-
 use crate::support::recorded::is_recorded;
-use crate::support::{root, scene_names};
+use crate::support::{root, run, scene_names};
 
 const HEAD: &str = "# Gallery
 
@@ -42,7 +38,7 @@ fn page() -> String {
 
 fn cell(name: &str) -> String {
     let file = format!("scenes/{name}.ron");
-    let scene = Scene::from_ron(&fs::read_to_string(root().join(&file)).unwrap()).unwrap();
+    let scene = run(name).scene;
     let (title, caption) = (markdown(&scene.title), markdown(&scene.caption));
     let figure = format!("![{title}](../snapshots/{name}.svg)");
     format!("<td width=\"50%\">\n\n{figure}\n\n**{title}**<br>{caption}<br>[{file}](../{file})\n\n</td>\n")
