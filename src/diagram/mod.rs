@@ -69,7 +69,7 @@ struct Figure<'a> {
     crowd: Vec<Item>,
 }
 
-/// Lays out the figure of a traced scene.
+/// Lays out the figure of a traced scene; [`Scene`] shows one beside its file.
 ///
 /// `system` and `tree` must come from `scene`; parts that do not fit together are left out.
 #[must_use]

@@ -32,7 +32,13 @@ pub use tracing::{SecondaryRays, TraceSettings};
 
 /// A whole scene, as its file describes it.
 ///
-/// Lengths are millimeters, angles degrees counter-clockwise, x to the right and y up.
+/// Lengths are millimeters, angles degrees counter-clockwise, x to the right and y up. A file and its figure:
+///
+/// ```ron
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/scene.ron"))]
+/// ```
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/scene.svg"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Heading of the figure; may be empty.
