@@ -1,0 +1,8 @@
+//! What is computed from systems and traces, held against closed forms and against the rays themselves.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod support;
+
+#[path = "analysis/paraxial.rs"]
+mod paraxial;
