@@ -4,5 +4,11 @@
 
 mod support;
 
+#[path = "analysis/bundle.rs"]
+mod bundle;
+#[path = "analysis/deviation.rs"]
+mod deviation;
+#[path = "analysis/irradiance.rs"]
+mod irradiance;
 #[path = "analysis/paraxial.rs"]
 mod paraxial;

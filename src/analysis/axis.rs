@@ -34,7 +34,7 @@ pub(super) struct Vertex {
 
 impl Vertex {
     /// The same, met by light that comes back along the axis.
-    pub(super) fn from_behind(self) -> Self {
+    pub(super) fn reversed(self) -> Self {
         let [before, behind] = self.media;
         Self { curvature: -self.curvature, media: [behind, before], ..self }
     }

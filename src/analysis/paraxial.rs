@@ -43,7 +43,7 @@ pub struct Paraxial {
 /// meets a corner.
 #[must_use]
 pub fn paraxial(system: &OpticalSystem, axis: Axis, wavelength: Wavelength) -> Option<Paraxial> {
-    Walk::new(system, Line::new(system, axis, |_| true)?, wavelength).to_the_end()
+    Walk::new(system, Line::new(system, axis, |_| true)?, wavelength).cardinal_points()
 }
 
 /// [`paraxial`] of some bodies, by their places in the scene, as if the rest were not there. The media before and behind are
@@ -51,7 +51,7 @@ pub fn paraxial(system: &OpticalSystem, axis: Axis, wavelength: Wavelength) -> O
 /// the medium behind one of these boundaries is not the one before the next.
 #[must_use]
 pub fn paraxial_of(system: &OpticalSystem, bodies: &[usize], axis: Axis, wavelength: Wavelength) -> Option<Paraxial> {
-    Walk::new(system, Line::new(system, axis, |body| bodies.contains(&body))?, wavelength).to_the_end()
+    Walk::new(system, Line::new(system, axis, |body| bodies.contains(&body))?, wavelength).cardinal_points()
 }
 
 /// Light on its way along an axis.
@@ -81,13 +81,13 @@ impl<'a> Walk<'a> {
         Self { system, wavelength, line, is_forward: true, passed: None }
     }
 
-    fn to_the_end(mut self) -> Option<Paraxial> {
+    fn cardinal_points(mut self) -> Option<Paraxial> {
         let mut next = Some(self.line.vertices.partition_point(|vertex| vertex.distance <= self.line.start));
         // Light that has not left after it has come back through everything never does.
         for _ in 0..=2 * self.line.vertices.len() {
             let vertex = next.and_then(|place| self.line.vertices.get(place).copied());
             let Some(vertex) = vertex.filter(|vertex| !is_end(vertex)) else { return self.paraxial() };
-            let vertex = if self.is_forward { vertex } else { vertex.from_behind() };
+            let vertex = if self.is_forward { vertex } else { vertex.reversed() };
             self.passed = Some(self.pass(&vertex)?);
             self.is_forward ^= vertex.action == Action::Mirror;
             next = next.and_then(|place| if self.is_forward { place.checked_add(1) } else { place.checked_sub(1) });
