@@ -64,6 +64,21 @@ fn a_wrong_formula_and_a_wrong_digit_are_found() {
     assert_eq!(holds_at("C2 = √0.84 = 0.916515", &letters(OUT_OF_GLASS), false), Ok(0), "no sides to compare");
 }
 
+#[test]
+fn what_it_says_of_the_two_forms_was_measured() {
+    let mut reader = csv::Reader::from_path(root().join("docs/accuracy/forms.csv")).unwrap();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let measured = |form: &str, regime: &str, column: usize| -> f64 {
+        rows.iter().find(|row| &row[0] == form && &row[1] == regime).unwrap()[column].parse().unwrap()
+    };
+    let (error, wrong_verdicts) = (3, 5);
+    let vector_form = measured("vector form, f64", "near critical", error);
+    assert!((5e-9..2e-8).contains(&vector_form), "some 10⁻⁸ rad: {vector_form}");
+    assert!(measured("ours", "near critical", error) < 2e-16);
+    assert!(measured("vector form, f64", "small contrast", wrong_verdicts) > 2000.0, "thousands");
+    assert!(measured("ours", "small contrast", wrong_verdicts) == 0.0);
+}
+
 /// Compares the sides of a line with its first one, those in numbers only at the example, and tells how many these were.
 fn holds_at(line: &str, known: &Known, is_example: bool) -> Result<usize, String> {
     let signs = [(" − ", " - "), ("−", "-"), ("|V′|", "length_V"), ("|N′|", "length_N"), ("C2²", "square_C2")];

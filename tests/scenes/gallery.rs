@@ -5,6 +5,8 @@ use crate::support::{root, run, scene_names};
 
 const HEAD: &str = "# Gallery
 
+<!-- INSTA_UPDATE=always cargo test --test scenes writes this page. -->
+
 Every scene in `scenes/`, as snellius draws it. Under each figure stands its file: copy it, change a number, draw your own.
 
 ";
