@@ -60,7 +60,11 @@ impl Room {
 
     /// The cheapest of some middles with their costs for a text, `off` pixels from lines; `None` if every one is forbidden.
     pub(super) fn best(&self, text: &Text, places: &[(f64, DVec2)], off: f64) -> Option<(f64, DVec2)> {
-        let about = centered(text, DVec2::ZERO).bounds();
+        self.best_for(centered(text, DVec2::ZERO).bounds(), places, off)
+    }
+
+    /// The same for words whose rectangle about their middle is known.
+    pub(super) fn best_for(&self, about: Rect, places: &[(f64, DVec2)], off: f64) -> Option<(f64, DVec2)> {
         let rects: Vec<Rect> = places.iter().map(|(_, p)| about.moved(*p)).collect();
         let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
         let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all.grown(off))).collect();
