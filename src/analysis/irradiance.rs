@@ -50,6 +50,14 @@ struct Landed {
 /// What neighbors have in common: source, and the letter and the body of every hit on the way.
 type Way = (usize, Vec<(Option<char>, usize)>);
 
+impl Irradiance {
+    /// The parts of a curve: the positions of both ends of each, and the value.
+    pub fn parts<'a>(&self, curve: &'a Curve) -> impl Iterator<Item = ([f64; 2], f64)> + use<'a> {
+        let width = self.length / count(curve.values.len());
+        curve.values.iter().enumerate().map(move |(k, value)| ([width * count(k), width * count(k + 1)], *value))
+    }
+}
+
 /// The irradiance on every screen, in the bodies' order, hit or not. `tree` must come from `system`.
 #[must_use]
 pub fn irradiance(system: &OpticalSystem, tree: &RayTree) -> Vec<Irradiance> {
@@ -105,7 +113,7 @@ struct Parts {
 
 impl Parts {
     fn new(length: f64) -> Self {
-        Self { width: length / parts_number(PARTS), power: vec![Sum::default(); PARTS] }
+        Self { width: length / count(PARTS), power: vec![Sum::default(); PARTS] }
     }
 
     fn values(&self) -> Vec<f64> {
@@ -126,7 +134,7 @@ impl Parts {
 
     /// Spreads power evenly over a stretch; what lies beyond the screen's ends comes to lie on it.
     fn spread(&mut self, from: f64, to: f64, power: f64) {
-        let length = self.width * parts_number(PARTS);
+        let length = self.width * count(PARTS);
         let (from, to) = (from.clamp(0.0, length), to.clamp(0.0, length));
         let (first, last) = (self.part(from), self.part(to));
         if first == last {
@@ -134,7 +142,7 @@ impl Parts {
             return;
         }
         for part in first..=last {
-            let (begin, end) = (self.width * parts_number(part), self.width * parts_number(part + 1));
+            let (begin, end) = (self.width * count(part), self.width * count(part + 1));
             let covered = (to.min(end) - from.max(begin)).max(0.0);
             self.power[part].add(power * (covered / (to - from)));
         }
@@ -143,11 +151,11 @@ impl Parts {
     /// The part in which a position lies.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the parts")]
     fn part(&self, position: f64) -> usize {
-        (position / self.width).clamp(0.0, parts_number(PARTS - 1)) as usize
+        (position / self.width).clamp(0.0, count(PARTS - 1)) as usize
     }
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a small number")]
-fn parts_number(parts: usize) -> f64 {
+fn count(parts: usize) -> f64 {
     parts as f64
 }

@@ -5,7 +5,7 @@ use super::variant::Form;
 use crate::scene::{DiagramSettings, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
 
 const TRACE: [&str; 4] = ["secondary_rays", "max_depth", "min_power", "max_segments"];
-const DIAGRAM: [&str; 13] = [
+const DIAGRAM: [&str; 14] = [
     "size",
     "view",
     "theme",
@@ -19,6 +19,7 @@ const DIAGRAM: [&str; 13] = [
     "extensions",
     "grid",
     "scale_bar",
+    "irradiance",
 ];
 
 const SECONDARY_RAYS: [Form; 3] =
@@ -78,6 +79,7 @@ impl Read for DiagramSettings {
             extensions: f.or(r, "extensions", d.extensions),
             grid: f.or(r, "grid", d.grid),
             scale_bar: f.or(r, "scale_bar", d.scale_bar),
+            irradiance: f.or(r, "irradiance", d.irradiance),
         })
     }
 
