@@ -23,7 +23,7 @@ const APART: f64 = 12.0;
 /// Width of the column of numbers at a curve's left, pixels.
 const COLUMN: f64 = 42.0;
 /// Height of a curve's title above it, and of the numbers below it, pixels.
-pub(super) const TITLE: f64 = 12.0;
+pub(super) const TITLE: f64 = 14.0;
 const NUMBERS: f64 = 16.0;
 /// Least extent of a curve along its screen, pixels, and the most where it is not the screen's own.
 const EXTENT: [f64; 2] = [70.0, 240.0];
@@ -88,7 +88,7 @@ fn aligned<'a>(figure: &'a Figure<'a>, screen: &'a Irradiance) -> Option<Plot<'a
 }
 
 fn are_apart(plots: &[Plot<'_>]) -> bool {
-    let words = [TITLE + 0.5 * SIZE, NUMBERS].map(|height| DVec2::new(0.0, height));
+    let words = [TITLE, NUMBERS].map(|height| DVec2::new(0.0, height));
     let room = |plot: &Plot<'_>| Rect { min: plot.area.min - words[0], max: plot.area.max + words[1] };
     !plots.iter().enumerate().any(|(k, plot)| plots[..k].iter().any(|other| room(other).overlaps(&room(plot))))
 }
@@ -147,11 +147,11 @@ impl Plot<'_> {
         let lines = self.screen.curves.iter().map(|curve| Group::layer("", self.curve(curve)).into()).collect();
         let add_up = self.figure.styles.add_up().then_some(Whole { opacity: 1.0, adds_up: true });
         let lines = Group { whole: add_up, ..Group::layer("", lines) };
-        let mut items = vec![self.title().into()];
-        items.extend(self.values());
-        items.push(lines.into());
-        items.extend(self.positions());
-        items
+        let mut words = vec![self.title()];
+        let value = self.value(&mut words);
+        let axis = self.axis(&mut words);
+        let items = value.into_iter().chain([lines.into(), axis]);
+        items.chain(words.into_iter().map(Item::from)).collect()
     }
 
     /// Where a value stands at a position, both axes as in the figure.
@@ -199,7 +199,7 @@ impl Plot<'_> {
         points.for_each(|p| path.line_to(p));
         let stroke = self.figure.styles.line(curve.wavelength, 1.4);
         let fill = Fill { color: stroke.color, opacity: 0.16 };
-        vec![Shape::filled(path.clone(), fill, "").into(), Shape::stroked(path, stroke, "").into()]
+        vec![Shape::filled(path.clone(), fill, "").into(), Shape::stroked(path, stroke, "curve").into()]
     }
 
     /// The screen's name over the curve, as much of it as there is room for.
@@ -218,62 +218,55 @@ impl Plot<'_> {
         (0..letters).rev().map(cut).find(|text| text.width() <= room).unwrap_or_else(|| text(""))
     }
 
-    /// A round value, with its line across the plot.
-    fn values(&self) -> Vec<Item> {
-        let Some(value) = nice::at_most(self.most()) else { return Vec::new() };
+    /// The line of a round value across the plot, and its number, with its unit below it where values run up.
+    fn value(&self, words: &mut Vec<Text>) -> Option<Item> {
+        let value = nice::at_most(self.most())?;
         let [from, to] = self.shown.map(|position| self.at(position, value));
-        let stroke = Stroke::solid(self.figure.palette.quiet, 0.8).faded(0.4);
-        let words = format!("{}/mm", nice::label(value));
-        let number = if self.is_upright {
+        let number = nice::label(value);
+        if self.is_upright {
             let foot = DVec2::new(from.x, self.area.max.y + SIZE + TICK);
-            self.number(&words, foot).anchored(Anchor::Middle)
+            self.add(words, &format!("{number}/mm"), foot, Anchor::Middle);
         } else {
-            self.number(&words, DVec2::new(self.area.min.x - 2.0 * TICK, from.y + 0.36 * SIZE)).anchored(Anchor::End)
-        };
-        let line = Shape::stroked(Path::line(from, to), stroke, "").into();
-        if self.fits(&number) { vec![line, number.into()] } else { vec![line] }
+            let left = DVec2::new(self.area.min.x - 2.0 * TICK, from.y + 0.36 * SIZE);
+            self.add(words, &number, left, Anchor::End);
+            self.add(words, "/mm", left + DVec2::new(0.0, 1.2 * SIZE), Anchor::End);
+        }
+        let stroke = Stroke::solid(self.figure.palette.quiet, 0.8).faded(0.4);
+        Some(Shape::stroked(Path::line(from, to), stroke, "").into())
     }
 
-    /// The axis along the screen, with round positions.
-    fn positions(&self) -> Vec<Item> {
-        let quiet = self.figure.palette.quiet;
+    /// The axis along the screen, and numbers at round positions.
+    fn axis(&self, words: &mut Vec<Text>) -> Item {
         let mut path = Path::line(self.at(self.shown[0], 0.0), self.at(self.shown[1], 0.0));
         let [low, high] = [self.shown[0].min(self.shown[1]), self.shown[0].max(self.shown[1])];
-        let extent = (self.ends[1] - self.ends[0]).abs();
-        let step = nice::at_most((high - low) * if self.is_upright { 50.0 } else { 64.0 } / extent);
-        let (mut numbers, mut is_first) = (Vec::<Text>::new(), true);
+        let apart = if self.is_upright { 50.0 } else { 64.0 };
+        let step = nice::at_most((high - low) * apart / (self.ends[1] - self.ends[0]).abs());
+        let mut unit = " mm";
         for position in step.map(|step| grid::multiples(step, low, high)).unwrap_or_default() {
             let at = self.at(position, 0.0);
-            let tick = if self.is_upright { DVec2::new(-TICK, 0.0) } else { DVec2::new(0.0, TICK) };
-            path.append(Path::line(at, at + tick));
-            let words = if is_first { format!("{} mm", nice::label(position)) } else { nice::label(position) };
-            let number = if self.is_upright {
-                self.number(&words, at + DVec2::new(-2.0 * TICK, 0.36 * SIZE)).anchored(Anchor::End)
+            let (tick, number, anchor) = if self.is_upright {
+                (DVec2::new(-TICK, 0.0), DVec2::new(-2.0 * TICK, 0.36 * SIZE), Anchor::End)
             } else {
-                self.number(&words, at + DVec2::new(0.0, SIZE + TICK)).anchored(Anchor::Middle)
+                (DVec2::new(0.0, TICK), DVec2::new(0.0, SIZE + TICK), Anchor::Middle)
             };
-            let is_free = numbers.iter().all(|other| !other.bounds().grown(TICK).overlaps(&number.bounds()));
-            if is_free && self.fits(&number) {
-                numbers.push(number);
-                is_first = false;
+            path.append(Path::line(at, at + tick));
+            if self.add(words, &format!("{}{unit}", nice::label(position)), at + number, anchor) {
+                unit = "";
             }
         }
-        let axis = Shape::stroked(path, Stroke::solid(quiet, 1.0).capped(Cap::Butt), "");
-        [axis.into()].into_iter().chain(numbers.into_iter().map(Item::from)).collect()
+        let stroke = Stroke::solid(self.figure.palette.quiet, 1.0).capped(Cap::Butt);
+        Shape::stroked(path, stroke, "axis").into()
     }
 
-    fn number(&self, words: &str, at: DVec2) -> Text {
-        Text::new(words, at, SIZE, self.figure.palette.quiet)
-    }
-
-    /// Whether a number stays beside the scene, and clear of the title.
-    fn fits(&self, number: &Text) -> bool {
-        let Rect { min, max } = number.bounds();
-        let figure = self.figure.scene.diagram.size.map(f64::from);
-        let title = self.title().bounds();
-        min.x >= self.area.min.x - COLUMN
-            && max.x <= figure[0]
-            && max.y <= figure[1]
-            && !title.overlaps(&number.bounds().grown(1.0))
+    /// Adds a number if it stays beside the scene and clear of other words.
+    fn add(&self, words: &mut Vec<Text>, number: &str, at: DVec2, anchor: Anchor) -> bool {
+        let text = Text::new(number, at, SIZE, self.figure.palette.quiet).anchored(anchor);
+        let (Rect { min, max }, [width, height]) = (text.bounds(), self.figure.scene.diagram.size.map(f64::from));
+        let is_free = words.iter().all(|other| !other.bounds().overlaps(&text.bounds().grown(1.0)));
+        let fits = is_free && min.x >= self.area.min.x - COLUMN && max.x <= width && max.y <= height;
+        if fits {
+            words.push(text);
+        }
+        fits
     }
 }
