@@ -1,6 +1,7 @@
 //! What is computed from systems and traces, held against closed forms and against the rays themselves.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "some values are exact")]
 
 mod support;
 

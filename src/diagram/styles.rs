@@ -4,6 +4,7 @@ use crate::diagram::blend::Blend;
 use crate::diagram::branches::Branch;
 use crate::diagram::palette::Palette;
 use crate::drawing::{Color, Stroke};
+use crate::light::Wavelength;
 use crate::scene::{RayColor, Scene, Theme};
 use crate::trace::{RayTree, Via};
 
@@ -70,6 +71,17 @@ impl<'a> Styles<'a> {
         }
     }
 
+    /// A line of a spectral line's color and dashes.
+    pub(super) fn line(&self, wavelength: Wavelength, width: f64) -> Stroke {
+        let is_alone = self.scene.diagram.color == RayColor::Auto && self.lines.len() < 2;
+        let color = if is_alone { self.palette.ray } else { self.palette.wavelength(wavelength) };
+        let stroke = Stroke::solid(color, width);
+        match PRINT_DASHES[self.dash_of(wavelength)] {
+            [] => stroke,
+            dash => stroke.dashed(dash),
+        }
+    }
+
     pub(super) fn color(&self, branch: &Branch<'_>) -> Color {
         let palette = &self.palette;
         let wavelength = branch.ray.wavelength;
@@ -108,19 +120,26 @@ impl<'a> Styles<'a> {
         if self.scene.diagram.theme != Theme::Print {
             return 0;
         }
-        let few = |kinds: usize| (2..=PRINT_DASHES.len()).contains(&kinds);
         let kind = if few(self.own_colors.len()) {
             let own = self.scene.sources.get(branch.ray.source).map(|source| source.color);
             self.own_colors.iter().position(|color| Some(*color) == own)
         } else if self.scene.diagram.color == RayColor::Via {
             Some(via_dash(branch.segment.via))
-        } else if few(self.lines.len()) && branch.blend != Some(Blend::Whole) {
-            let bits = branch.ray.wavelength.nanometers().to_bits();
-            self.lines.iter().position(|line| *line == bits)
-        } else {
+        } else if branch.blend == Some(Blend::Whole) {
             None
+        } else {
+            Some(self.dash_of(branch.ray.wavelength))
         };
         kind.unwrap_or(0)
+    }
+
+    /// Which dashes stand for a line.
+    fn dash_of(&self, wavelength: Wavelength) -> usize {
+        if !few(self.lines.len()) || self.scene.diagram.theme != Theme::Print {
+            return 0;
+        }
+        let bits = wavelength.nanometers().to_bits();
+        self.lines.iter().position(|line| *line == bits).unwrap_or(0)
     }
 
     /// A sample of the line of rays that came about in one way.
@@ -129,6 +148,11 @@ impl<'a> Styles<'a> {
         let is_dashed = self.scene.diagram.theme == Theme::Print && via_dash(via) > 0;
         if is_dashed { stroke.dashed(PRINT_DASHES[via_dash(via)]) } else { stroke }
     }
+}
+
+/// Whether so many kinds of rays are told apart by dashes.
+fn few(kinds: usize) -> bool {
+    (2..=PRINT_DASHES.len()).contains(&kinds)
 }
 
 /// In print reflected light is told from transmitted by its gray, totally reflected light, which is as dark as the

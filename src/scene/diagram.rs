@@ -36,6 +36,8 @@ pub struct DiagramSettings {
     pub grid: bool,
     /// Scale bar.
     pub scale_bar: bool,
+    /// Beside the scene, how the light on each screen is spread along it.
+    pub irradiance: bool,
 }
 
 impl Default for DiagramSettings {
@@ -57,6 +59,7 @@ impl Default for DiagramSettings {
             wavefronts: None,
             grid: false,
             scale_bar: false,
+            irradiance: true,
         }
     }
 }

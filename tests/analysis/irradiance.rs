@@ -21,12 +21,13 @@ fn power(screen: &Irradiance) -> f64 {
 }
 
 fn part(screen: &Irradiance) -> f64 {
-    screen.length / f64::from(u32::try_from(screen.curves[0].values.len()).unwrap())
+    let ([begin, end], _) = screen.parts(&screen.curves[0]).next().unwrap();
+    end - begin
 }
 
-/// Value in the middle of the part at a position.
+/// The value at a position.
 fn value(screen: &Irradiance, position: f64) -> f64 {
-    screen.curves[0].values[((position / part(screen)) as u32) as usize]
+    screen.parts(&screen.curves[0]).find(|([_, end], _)| *end > position).unwrap().1
 }
 
 const SCREEN: &str = "(shape: Flat(from: (60, -30), to: (60, 30)), surface: Screen)";

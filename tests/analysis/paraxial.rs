@@ -164,16 +164,11 @@ fn mirrors_send_the_light_back_along_the_axis() {
     let points = on_axis(silvered).unwrap();
     close(points.focal_points[1].x, focus, 1e-8, "F'");
     close(points.back_focal_length, 1e-5 / slope, 1e-8, "f'");
-    assert_eq!(
-        on_axis(&format!("{mirror}, (shape: Arc(from: (-95, -5), through: (-99, 0), to: (-95, 5)), surface: Mirror)"))
-            .is_some(),
-        true,
-        "the light starts behind the other mirror"
-    );
+    let resonator =
+        format!("{mirror}, (shape: Arc(from: (-95, -5), through: (-99, 0), to: (-95, 5)), surface: Mirror)");
+    assert!(on_axis(&resonator).is_some(), "the light starts behind the other mirror");
     let between = Axis { from: DVec2::new(-50.0, 0.0), ..AXIS };
-    let cavity =
-        system(&format!("{mirror}, (shape: Arc(from: (-95, -5), through: (-99, 0), to: (-95, 5)), surface: Mirror)"));
-    assert_eq!(paraxial(&cavity, between, Wavelength::D), None, "light between two mirrors never leaves");
+    assert_eq!(paraxial(&system(&resonator), between, Wavelength::D), None, "light between two mirrors never leaves");
 }
 
 #[test]
