@@ -6,9 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate; each may use those before it.
-const MODULES: [&str; 15] = [
-    "numerics", "geometry", "light", "media", "laws", "scene", "system", "compile", "trace", "report", "explain",
-    "drawing", "diagram", "render", "cli",
+const MODULES: [&str; 16] = [
+    "numerics", "geometry", "light", "media", "laws", "scene", "system", "compile", "trace", "analysis", "report",
+    "explain", "drawing", "diagram", "render", "cli",
 ];
 
 #[test]

@@ -25,6 +25,12 @@ pub struct DiagramSettings {
     pub legend: bool,
     /// Dashed extensions of rays: to where they seem to come from, and where they would have gone.
     pub extensions: bool,
+    /// Optical axes of lenses and curved mirrors.
+    pub optical_axis: bool,
+    /// Focal points of lenses and curved mirrors, and centers of curvature of the mirrors.
+    pub focal_points: bool,
+    /// Principal planes of lenses.
+    pub principal_planes: bool,
     /// Coordinate grid.
     pub grid: bool,
     /// Scale bar.
@@ -45,6 +51,9 @@ impl Default for DiagramSettings {
             arrows: true,
             legend: true,
             extensions: false,
+            optical_axis: true,
+            focal_points: false,
+            principal_planes: false,
             grid: false,
             scale_bar: false,
         }

@@ -5,7 +5,7 @@ use super::variant::Form;
 use crate::scene::{DiagramSettings, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
 
 const TRACE: [&str; 4] = ["secondary_rays", "max_depth", "min_power", "max_segments"];
-const DIAGRAM: [&str; 13] = [
+const DIAGRAM: [&str; 16] = [
     "size",
     "view",
     "theme",
@@ -17,6 +17,9 @@ const DIAGRAM: [&str; 13] = [
     "arrows",
     "legend",
     "extensions",
+    "optical_axis",
+    "focal_points",
+    "principal_planes",
     "grid",
     "scale_bar",
 ];
@@ -76,6 +79,9 @@ impl Read for DiagramSettings {
             arrows: f.or(r, "arrows", d.arrows),
             legend: f.or(r, "legend", d.legend),
             extensions: f.or(r, "extensions", d.extensions),
+            optical_axis: f.or(r, "optical_axis", d.optical_axis),
+            focal_points: f.or(r, "focal_points", d.focal_points),
+            principal_planes: f.or(r, "principal_planes", d.principal_planes),
             grid: f.or(r, "grid", d.grid),
             scale_bar: f.or(r, "scale_bar", d.scale_bar),
         })
