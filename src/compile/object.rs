@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::compile::sources::Ground;
+use crate::compile::sources::{Ground, unit};
 use crate::light::Wavelength;
 use crate::numerics::Turn;
 use crate::scene::{Imaging, OpticalAxis, Source, facing};
@@ -119,6 +119,7 @@ impl Sight {
 
     fn direction(&self, slope: f64) -> DVec2 {
         let ahead = self.axis.direction;
-        if slope == 0.0 { ahead } else { (ahead + slope * ahead.perp()).normalize_or(ahead) }
+        let turned = unit(ahead + slope * ahead.perp());
+        if slope == 0.0 || turned == DVec2::ZERO { ahead } else { turned }
     }
 }

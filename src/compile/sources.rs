@@ -77,7 +77,7 @@ fn heading(from: DVec2, direction: Direction, turned: f64) -> DVec2 {
 
 /// The unit vector along `v`, whatever its magnitude; zero for zero. A component so small that its products with
 /// coordinates would underflow is 0.
-fn unit(v: DVec2) -> DVec2 {
+pub(crate) fn unit(v: DVec2) -> DVec2 {
     let scaled = v / v.abs().max_element();
     let unit = scaled / scaled.length();
     let unit = DVec2::select(unit.abs().cmplt(DVec2::splat(1e-200)), DVec2::ZERO, unit);

@@ -10,7 +10,7 @@ const SIZE: f64 = 13.0;
 /// Radius of a point, pixels.
 const RADIUS: f64 = 2.6;
 /// How far a principal plane stands out beyond its lens, pixels.
-const BEYOND: f64 = 14.0;
+const BEYOND: f64 = 18.0;
 /// Free space between letters and lines, pixels.
 const OFF_LINES: f64 = 3.0;
 /// How far from its point the middle of a letter is sought, pixels.
@@ -85,7 +85,7 @@ pub(super) fn letters(figure: &Figure<'_>, room: &mut Room) -> Vec<Item> {
             let [upper, lower] = plane(figure, element, *p);
             let text = text(figure, element, letters);
             let places = [(upper, -1.0), (lower, 1.0)].into_iter().enumerate().flat_map(|(end, (tip, out))| {
-                (0..).map(f64::from).zip([4.0, 10.0, 16.0, 0.0, -12.0]).flat_map(move |(step, inward)| {
+                (0..).map(f64::from).zip([3.0, -4.0, 9.0, 16.0, -12.0]).flat_map(move |(step, inward)| {
                     [11.0, 16.0, 22.0].map(move |aside| {
                         let cost = 3.0 * f64::from(u32::from(end == 1)) + step + 0.1 * aside;
                         (cost, tip + aside * along - DVec2::new(0.0, out * inward))

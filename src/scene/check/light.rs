@@ -3,7 +3,7 @@ use std::collections::HashSet;
 use glam::DVec2;
 
 use super::checker::{Checker, Text, show};
-use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Scene, Source, Spectrum, facing};
+use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Scene, Shape, Source, Spectrum, facing};
 
 /// Rays of an object, at most.
 const OBJECT_RAYS: u64 = 3;
@@ -141,18 +141,24 @@ fn check_line(c: &mut Checker, path: impl Text, nm: f64) -> bool {
         })
 }
 
-/// Objects face something that makes an image of them.
+/// Objects face something that makes an image of them. What is wrong with a body may be the reason that they do not: that
+/// comes first.
 pub(super) fn check_objects(c: &mut Checker, scene: &Scene) {
-    for (k, source) in scene.sources.iter().enumerate() {
+    let are_bodies_sound = c.problems.iter().all(|problem| !problem.path.starts_with("bodies"))
+        && scene.bodies.iter().all(|body| !matches!(body.shape, Shape::Disk { radius } if radius.is_nan()));
+    for (k, source) in scene.sources.iter().enumerate().filter(|_| are_bodies_sound) {
         let Light::Object { from, to } = source.light else { continue };
+        if !from.is_finite() || !to.is_finite() || from == to {
+            continue;
+        }
         let path = || format!("sources[{k}].light");
-        let found = facing(&scene.bodies, from);
-        c.require(found.is_some(), || {
+        let Some((body, axis)) = facing(&scene.bodies, from) else {
             let message = "nothing in the scene makes an image of this object";
-            let help = "add a `ThinLens`, a `Mirror` on an `Arc` or a `Flat`, a `Lens` or a `LensGroup`, or use `Fan`";
-            Problem::error(path(), message, help).label("faces nothing")
-        });
-        let Some((body, axis)) = found else { continue };
+            let help =
+                "add a `ThinLens`, a `Mirror` on an `Arc` or a `Flat`, a `Lens` or a `LensGroup`, or use a `Fan`";
+            c.problems.push(Problem::error(path(), message, help).label("faces nothing"));
+            continue;
+        };
         c.require(axis.along_light(to).is_some(), || {
             let name = scene.bodies[body].name.clone().unwrap_or_else(|| format!("#{body}"));
             let message = format!("the tip of the object stands within or beside `{name}`, which it faces");
