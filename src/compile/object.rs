@@ -13,7 +13,7 @@ const RAYS: usize = 3;
 /// A ray that passes farther out than this share of the half height counts as missing the element.
 const APERTURE: f64 = 0.95;
 /// Rays that pass the element closer together than this share of its half height are one.
-const ONE: f64 = 1e-3;
+const ONE: f64 = 1e-6;
 /// Heights at which the element is met where a principal ray misses it, shares of its half height, in the order in which
 /// they are tried.
 const SPREAD: [f64; 7] = [0.0, 0.5, -0.5, 0.25, -0.25, 0.75, -0.75];
