@@ -5,13 +5,13 @@
 mod support;
 
 use glam::DVec2;
-use snellius::analysis::{Image, images};
+use snellius::analysis::{ObjectImage, object_images};
 use snellius::numerics::Turn;
 use snellius::trace::{Segment, TracedRay};
 use support::{Run, run_text};
 
-fn found(run: &Run) -> Vec<Image> {
-    images(&run.system, &run.trace.tree)
+fn found(run: &Run) -> Vec<ObjectImage> {
+    object_images(&run.system, &run.trace.tree)
 }
 
 /// A scene of bodies and one object, without reflections at glass.

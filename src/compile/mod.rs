@@ -3,6 +3,7 @@
 
 mod arrangement;
 mod cells;
+mod centered;
 mod cuts;
 mod gaps;
 mod interfaces;

@@ -2,11 +2,12 @@
 
 use glam::DVec2;
 
+use crate::compile::centered::Centered;
 use crate::compile::sources::{Ground, unit};
 use crate::light::Wavelength;
 use crate::numerics::Turn;
 use crate::scene::{Imaging, OpticalAxis, Source, facing};
-use crate::system::{Centered, PlacedObject};
+use crate::system::PlacedObject;
 
 /// Rays that are drawn.
 const RAYS: usize = 3;
@@ -23,10 +24,10 @@ const APART: f64 = 0.2;
 const NARROW: f64 = 1e-4;
 
 /// An element as the tip of an object sees it: lengths along the axis of the light from the first vertex, heights from the axis.
-struct Sight {
+struct Sight<'a> {
     axis: OpticalAxis,
     /// `None` where the element is not a centered system; its rays are spread out then.
-    centered: Option<Centered>,
+    centered: Option<&'a Centered>,
     /// How far in front of the first vertex the tip stands, above 0, and its height.
     ahead: f64,
     height: f64,
@@ -40,14 +41,8 @@ impl Ground<'_> {
         let axis = axis.along_light(to)?;
         let lines = source.spectrum.lines();
         let line = lines.get(lines.len() / 2).copied().and_then(Wavelength::from_nanometers)?;
-        let centered = Centered::new(self.walls, self.origin, axis, |medium| self.media[medium.place()].index(line));
-        let sight = |point: DVec2| {
-            let apart = point - axis.vertices[0];
-            let (ahead, height) = (-apart.dot(axis.direction), apart.dot(axis.direction.perp()));
-            Sight { axis, centered: centered.clone(), ahead, height }
-        };
-        let tip = sight(to);
-        let foot = sight(from);
+        let centered = Centered::new(self.walls, self.origin, &axis, |medium| self.media[medium.place()].index(line));
+        let [tip, foot] = [to, from].map(|point| Sight::new(axis, centered.as_ref(), point));
         let toward_foot = foot.center_ray();
         let on_axis = axis.vertices[0] - tip.ahead * axis.direction;
         let probe = |point: DVec2, direction| self.start(point - self.origin, direction);
@@ -60,7 +55,13 @@ impl Ground<'_> {
     }
 }
 
-impl Sight {
+impl<'a> Sight<'a> {
+    fn new(axis: OpticalAxis, centered: Option<&'a Centered>, point: DVec2) -> Self {
+        let apart = point - axis.vertices[0];
+        let (ahead, height) = (-apart.dot(axis.direction), apart.dot(axis.direction.perp()));
+        Self { axis, centered, ahead, height }
+    }
+
     /// The principal rays that meet the element, and others in place of those that miss it.
     ///
     /// # Source
@@ -83,7 +84,7 @@ impl Sight {
 
     /// Slopes of the principal rays: parallel to the axis, through or toward a center, and through or toward a focal point.
     fn principal(&self) -> Vec<f64> {
-        let points = self.centered.as_ref().and_then(Centered::cardinal_points);
+        let points = self.centered.and_then(Centered::cardinal_points);
         let focus = points.filter(|_| self.axis.imaging != Imaging::FlatMirror).map(|points| points.front_focal_point);
         let center = self.center().filter(|_| self.axis.imaging != Imaging::FlatMirror);
         let through = [center, focus].into_iter().flatten().map(|at| self.slope_through(at));
@@ -93,9 +94,9 @@ impl Sight {
     /// Where the ray is aimed that goes straight on behind a lens or comes straight back from a mirror: the front nodal point,
     /// or the center of curvature.
     fn center(&self) -> Option<f64> {
-        let centered = self.centered.as_ref()?;
-        let nodal = || centered.cardinal_points().map(|points| points.front_nodal_point);
-        centered.mirror_center().or_else(nodal)
+        let OpticalAxis { vertices: [vertex, _], direction, center, .. } = self.axis;
+        let nodal = || Some(self.centered?.cardinal_points()?.front_nodal_point);
+        center.map(|center| (center - vertex).dot(direction)).or_else(nodal)
     }
 
     /// The ray through the center where it can be; else that to the first vertex.
@@ -111,7 +112,7 @@ impl Sight {
 
     fn meets(&self, slope: f64) -> bool {
         let (height, within) = (self.height + slope * self.ahead, APERTURE * self.axis.half_height);
-        match &self.centered {
+        match self.centered {
             Some(centered) => centered.passes(height, slope, within),
             None => height.abs() <= within,
         }

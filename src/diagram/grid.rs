@@ -33,7 +33,7 @@ pub(super) fn grid(figure: &Figure<'_>) -> Vec<Item> {
 }
 
 /// Multiples of a step within an interval; none where the step is lost in rounding.
-fn multiples(step: f64, min: f64, max: f64) -> Vec<f64> {
+pub(super) fn multiples(step: f64, min: f64, max: f64) -> Vec<f64> {
     let first = (min / step).ceil();
     let count = (max / step).floor() - first;
     if !(count.is_finite() && (0.0..1000.0).contains(&count)) || first.abs() > 1e15 {

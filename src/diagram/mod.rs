@@ -16,6 +16,7 @@ mod frame;
 mod grid;
 mod header;
 mod hits;
+mod irradiance;
 mod key;
 mod labels;
 mod legend;
@@ -94,16 +95,20 @@ pub(crate) fn laid_out(
     let palette = Palette::of(scene.diagram.theme);
     let optics = Optics::new(scene, system, tree);
     let (header, top) = header::header(scene, &palette);
+    let screens = irradiance::screens(scene, system, tree);
+    let strip = irradiance::width(scene, &screens);
     // What stands below the scene takes room from it, so that more of it may have to stand there.
     // A legend of one line is expected where it will be needed, so that most figures are laid out once.
     let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
     let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }, is_expected);
     let (mut items, mut statistics) = loop {
-        let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot), everywhere);
+        let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot, strip), everywhere);
         let (layers, below) = figure.layers(statistics.segments_below_faintest);
         let taken = key::height(&below, figure.frame.area.size().x);
         if taken <= foot && !(is_guess && taken < foot) {
-            break (figure.with_key(layers, &below), statistics);
+            let mut items = figure.with_key(layers, &below);
+            items.extend(irradiance::curves(&figure, &screens));
+            break (items, statistics);
         }
         (foot, is_guess) = (taken, false);
     };
@@ -207,12 +212,13 @@ impl Figure<'_> {
     }
 }
 
-/// The part of the figure that is left for the scene.
-fn area(scene: &Scene, below_header: f64, foot: f64) -> Rect {
+/// The part of the figure that is left for the scene, beside a strip of some width at the right.
+fn area(scene: &Scene, below_header: f64, foot: f64, strip: f64) -> Rect {
     let [width, height] = scene.diagram.size.map(f64::from);
     let side = header::margin(scene);
     let foot = foot + if scene.diagram.scale_bar { scale_bar::HEIGHT } else { 0.0 };
+    let below_header = if strip > 0.0 { below_header + irradiance::TITLE } else { below_header };
     let top = below_header.min(0.7 * height);
     let bottom = (height - side - foot).max(top + 0.2 * height);
-    Rect { min: DVec2::new(side, top), max: DVec2::new((width - side).max(side), bottom) }
+    Rect { min: DVec2::new(side, top), max: DVec2::new((width - side - strip).max(side), bottom) }
 }

@@ -1,6 +1,6 @@
 use glam::DVec2;
 
-use crate::analysis::Image;
+use crate::analysis::ObjectImage;
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
 use crate::diagram::frame::clip;
@@ -114,7 +114,7 @@ fn all(figure: &Figure<'_>) -> Vec<Arrow> {
     objects.take(MOST).chain(images.take(MOST)).collect()
 }
 
-fn kind(image: &Image) -> &'static str {
+fn kind(image: &ObjectImage) -> &'static str {
     match (image.is_real, image.is_intermediate) {
         (false, _) => "virtual image",
         (true, true) => "intermediate image",

@@ -2,11 +2,11 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use crate::analysis::{Image, images};
+use crate::analysis::{Axis, ObjectImage, Paraxial, object_images, paraxial_of};
 use crate::diagram::frame::Extent;
 use crate::light::Wavelength;
 use crate::scene::{Body, Imaging, OpticalAxis, Scene};
-use crate::system::{Centered, OpticalSystem};
+use crate::system::OpticalSystem;
 use crate::trace::RayTree;
 
 /// Points of more elements would be noise.
@@ -17,7 +17,7 @@ const REACH: f64 = 3.0;
 /// What a figure shows of image formation beside the rays.
 pub(super) struct Optics {
     /// Images of objects.
-    pub(super) images: Vec<Image>,
+    pub(super) images: Vec<ObjectImage>,
     /// Elements whose points and planes are marked.
     pub(super) elements: Vec<Element>,
 }
@@ -38,7 +38,7 @@ impl Optics {
     pub(super) fn new(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Self {
         let wanted = scene.diagram.focal_points || scene.diagram.principal_planes;
         let elements = if wanted { elements(scene, system, tree) } else { Vec::new() };
-        Self { images: images(system, tree), elements }
+        Self { images: object_images(system, tree), elements }
     }
 
     /// Points that the figure should show if they are not too far from the things of the scene.
@@ -68,9 +68,11 @@ fn elements(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Vec<Elemen
     let elements = first.into_iter().enumerate().filter_map(|(number, (body, axis))| {
         let along = light.get(&body).map_or(axis.direction.x + axis.direction.y, |light| light.dot(axis.direction));
         let axis = if along < 0.0 { axis.reversed() } else { axis };
-        let centered = system.centered(axis, line)?;
+        // From well in front of the first vertex.
+        let from = axis.vertices[0] - 2.0 * axis.half_height * axis.direction;
+        let paraxial = paraxial_of(system, &[body], Axis { from, direction: axis.direction }, line)?;
         let number = several.then_some(number + 1);
-        Some(Element { axis, number, points: points(scene, &centered), planes: planes(scene, &centered) })
+        Some(Element { axis, number, points: points(scene, &axis, &paraxial), planes: planes(scene, &axis, &paraxial) })
     });
     elements.collect()
 }
@@ -90,24 +92,19 @@ fn directions(tree: &RayTree, bodies: &[(usize, OpticalAxis)]) -> BTreeMap<usize
 }
 
 /// F and F′ of a lens, F and C of a mirror.
-fn points(scene: &Scene, centered: &Centered) -> Vec<(&'static str, DVec2)> {
-    let Some(points) = centered.cardinal_points().filter(|_| scene.diagram.focal_points) else { return Vec::new() };
-    let OpticalAxis { vertices: [first, last], direction, .. } = centered.axis;
-    let front = first + points.front_focal_point * direction;
-    let second = match centered.mirror_center() {
-        Some(center) => ("C", first + center * direction),
-        None => ("F′", last + points.back_focal_point * direction),
-    };
-    vec![("F", front), second]
+fn points(scene: &Scene, axis: &OpticalAxis, paraxial: &Paraxial) -> Vec<(&'static str, DVec2)> {
+    if !scene.diagram.focal_points {
+        return Vec::new();
+    }
+    let [front, back] = paraxial.focal_points;
+    vec![("F", front), axis.center.map_or(("F′", back), |center| ("C", center))]
 }
 
 /// H and H′ of a lens that is not ideally thin.
-fn planes(scene: &Scene, centered: &Centered) -> Vec<(&'static str, DVec2)> {
-    let is_thick = centered.axis.imaging == Imaging::Lens;
-    let points = centered.cardinal_points().filter(|_| scene.diagram.principal_planes && is_thick);
-    let OpticalAxis { vertices: [first, last], direction, .. } = centered.axis;
-    points.map_or_else(Vec::new, |points| {
-        let front = first + points.front_principal_point * direction;
-        vec![("H", front), ("H′", last + points.back_principal_point * direction)]
-    })
+fn planes(scene: &Scene, axis: &OpticalAxis, paraxial: &Paraxial) -> Vec<(&'static str, DVec2)> {
+    if !scene.diagram.principal_planes || axis.imaging != Imaging::Lens {
+        return Vec::new();
+    }
+    let [front, back] = paraxial.principal_points;
+    vec![("H", front), ("H′", back)]
 }

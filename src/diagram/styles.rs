@@ -4,6 +4,7 @@ use crate::diagram::blend::Blend;
 use crate::diagram::branches::Branch;
 use crate::diagram::palette::Palette;
 use crate::drawing::{Color, Stroke};
+use crate::light::Wavelength;
 use crate::scene::{RayColor, Scene, Theme};
 use crate::trace::RayTree;
 
@@ -62,6 +63,17 @@ impl<'a> Styles<'a> {
         }
     }
 
+    /// A line of a spectral line's color and dashes.
+    pub(super) fn line(&self, wavelength: Wavelength, width: f64) -> Stroke {
+        let is_alone = self.scene.diagram.color == RayColor::Auto && self.lines.len() < 2;
+        let color = if is_alone { self.palette.ray } else { self.palette.wavelength(wavelength) };
+        let stroke = Stroke::solid(color, width);
+        match PRINT_DASHES[self.dash_of(wavelength)] {
+            [] => stroke,
+            dash => stroke.dashed(dash),
+        }
+    }
+
     pub(super) fn color(&self, branch: &Branch<'_>) -> Color {
         let palette = &self.palette;
         let wavelength = branch.ray.wavelength;
@@ -96,11 +108,15 @@ impl<'a> Styles<'a> {
 
     /// Which dashes a branch has: solid, but for a few lines in print, where dashes stand for colors.
     pub(super) fn dash(&self, branch: &Branch<'_>) -> usize {
+        if branch.blend == Some(Blend::Whole) { 0 } else { self.dash_of(branch.ray.wavelength) }
+    }
+
+    fn dash_of(&self, wavelength: Wavelength) -> usize {
         let few = (2..=PRINT_DASHES.len()).contains(&self.lines.len());
-        if !few || branch.blend == Some(Blend::Whole) || self.scene.diagram.theme != Theme::Print {
+        if !few || self.scene.diagram.theme != Theme::Print {
             return 0;
         }
-        let bits = branch.ray.wavelength.nanometers().to_bits();
+        let bits = wavelength.nanometers().to_bits();
         self.lines.iter().position(|line| *line == bits).unwrap_or(0)
     }
 }

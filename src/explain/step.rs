@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
+use crate::analysis::deviation_degrees;
 use crate::geometry::Curve;
 use crate::light::Wavelength;
-use crate::numerics::{atan2_degrees, cross, dot};
 use crate::report::{applied, body_name, length_decimals};
 use crate::scene::{Scene, SecondaryRays};
 use crate::system::{Action, Interface, MediumId, OpticalSystem};
@@ -154,10 +154,7 @@ impl Explanation {
     /// The deviation δ of a direction from the ray's at its source, degrees counter-clockwise, above −180 to 180.
     #[must_use]
     pub fn deviation_degrees(&self, direction: DVec2) -> f64 {
-        let from = self.start.direction;
-        let angle = atan2_degrees(cross(from, direction), dot(from, direction));
-        // Turned back, the sign would be that of a rounding.
-        if angle.abs() >= 180.0 - 1e-10 { 180.0 } else { angle }
+        deviation_degrees(self.start.direction, direction)
     }
 }
 

@@ -27,6 +27,8 @@ pub struct OpticalAxis {
     pub direction: DVec2,
     /// Half of the body's height across the axis, scene units.
     pub half_height: f64,
+    /// Of a mirror on an arc its center.
+    pub center: Option<DVec2>,
 }
 
 impl Body {
@@ -56,10 +58,12 @@ impl Body {
         let direction = placement.point(axis.direction) - self.at;
         let direction = if self.rotate == 0.0 { axis.direction } else { direction.normalize_or_zero() };
         let vertices = axis.vertices.map(|vertex| placement.point(vertex));
+        let center = axis.center.map(|center| placement.point(center));
         let sound = vertices.iter().all(|vertex| vertex.is_finite()) && axis.half_height > 0.0;
         (sound && direction.is_finite() && direction != DVec2::ZERO).then_some(OpticalAxis {
             vertices,
             direction,
+            center,
             ..axis
         })
     }
@@ -67,13 +71,13 @@ impl Body {
 
 fn lens(vertices: [f64; 2], diameter: f64) -> OpticalAxis {
     let vertices = vertices.map(|x| DVec2::new(x, 0.0));
-    OpticalAxis { imaging: Imaging::Lens, vertices, direction: DVec2::X, half_height: 0.5 * diameter }
+    OpticalAxis { imaging: Imaging::Lens, vertices, direction: DVec2::X, half_height: 0.5 * diameter, center: None }
 }
 
 fn line(imaging: Imaging, from: DVec2, to: DVec2) -> OpticalAxis {
     let middle = 0.5 * from + 0.5 * to;
     let direction = -(to - from).normalize_or_zero().perp();
-    OpticalAxis { imaging, vertices: [middle; 2], direction, half_height: 0.5 * from.distance(to) }
+    OpticalAxis { imaging, vertices: [middle; 2], direction, half_height: 0.5 * from.distance(to), center: None }
 }
 
 fn arc(arc: Curve) -> OpticalAxis {
@@ -84,6 +88,7 @@ fn arc(arc: Curve) -> OpticalAxis {
         vertices: [arc.m; 2],
         direction: arc.n * arc.curvature.signum(),
         half_height,
+        center: Some(arc.center()),
     }
 }
 

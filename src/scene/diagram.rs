@@ -35,6 +35,8 @@ pub struct DiagramSettings {
     pub grid: bool,
     /// Scale bar.
     pub scale_bar: bool,
+    /// Beside the scene, how the light on each screen is spread along it.
+    pub irradiance: bool,
 }
 
 impl Default for DiagramSettings {
@@ -56,6 +58,7 @@ impl Default for DiagramSettings {
             principal_planes: false,
             grid: false,
             scale_bar: false,
+            irradiance: true,
         }
     }
 }

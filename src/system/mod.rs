@@ -1,12 +1,10 @@
 //! The compiled scene: boundaries with a medium on each side, no names, units or overlaps left to resolve.
 
 mod cells;
-mod centered;
 mod interface;
 mod placed;
 
 pub(crate) use cells::Cells;
-pub use centered::{Centered, Face};
 pub(crate) use interface::rounding;
 pub use interface::{Action, Interface, MediumId, VertexId};
 pub use placed::{Outline, PlacedBody, PlacedObject, PlacedSource, RayStart, Start};
@@ -16,7 +14,7 @@ use glam::DVec2;
 use crate::geometry::{Bounds, CurveTree};
 use crate::light::Wavelength;
 use crate::media::Dispersion;
-use crate::scene::{OpticalAxis, TraceSettings};
+use crate::scene::TraceSettings;
 
 /// A scene ready to trace.
 ///
@@ -91,13 +89,6 @@ impl OpticalSystem {
             Some(tree) => tree.meeting(Bounds::of([p]), visit),
             None => (0..self.interfaces.len()).for_each(visit),
         }
-    }
-
-    /// The faces of a body along its optical axis, at a vacuum wavelength; `None` where it is not a centered system: a face
-    /// stands askew, a mirror is within a lens, or no face is left.
-    #[must_use]
-    pub fn centered(&self, axis: OpticalAxis, wavelength: Wavelength) -> Option<Centered> {
-        Centered::new(&self.interfaces, self.origin, axis, |medium| self.index(medium, wavelength))
     }
 
     /// Refractive index of a medium at a vacuum wavelength, at least 1.

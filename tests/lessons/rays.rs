@@ -1,7 +1,7 @@
 //! Bundles of rays about an axis: where they cross, and the closed forms of lenses that say where they must.
 
 use glam::DVec2;
-use snellius::analysis::{self, Image};
+use snellius::analysis::{ObjectImage, object_images};
 use snellius::scene::Light;
 use snellius::trace::{Segment, TracedRay};
 
@@ -134,8 +134,8 @@ pub(crate) fn focus(run: &Run, source: &str, axis: f64) -> f64 {
 }
 
 /// The images of the only object.
-pub(crate) fn images(run: &Run) -> Vec<Image> {
-    analysis::images(&run.system, &run.trace.tree)
+pub(crate) fn images(run: &Run) -> Vec<ObjectImage> {
+    object_images(&run.system, &run.trace.tree)
 }
 
 /// The same scene with every object shrunk toward its foot to this share of its height.

@@ -1,8 +1,12 @@
 //! Rays through whole lenses, surface by surface.
 
+use glam::DVec2;
 use serde_json::Value;
+use snellius::analysis::{Axis, paraxial_of};
+use snellius::light::Wavelength;
 use snellius::trace::{Segment, Trace};
 
+use crate::support::run_text;
 use crate::truth::{TOLERANCE, close, close_points, entries, list, number, point, text, traced, value};
 
 /// A lens of the table and its diameter, which the table leaves open: every ray passes, and every edge has glass.
@@ -156,5 +160,18 @@ fn paraxial_focal_lengths() {
         let [efl, bfl] = ["EFL", "BFL"].map(|key| number(lens.entry["paraxial"][key].as_str().unwrap()));
         close(-height / slope, efl, TOLERANCE * efl, lens.name);
         close(focus - lens.length, bfl, TOLERANCE * efl, lens.name);
+    }
+}
+
+#[test]
+fn focal_lengths_by_the_matrix_method() {
+    for lens in lenses() {
+        let system = run_text(&format!("(bodies: [{}])", lens.body)).system;
+        let axis = Axis { from: DVec2::new(-9.0, 0.0), direction: DVec2::X };
+        let points = paraxial_of(&system, &[0], axis, Wavelength::D).unwrap();
+        let [efl, bfl] = ["EFL", "BFL"].map(|key| number(lens.entry["paraxial"][key].as_str().unwrap()));
+        close(points.back_focal_length, efl, TOLERANCE * efl, lens.name);
+        close(points.front_focal_length, efl, TOLERANCE * efl, lens.name);
+        close(points.focal_points[1].x - points.vertices[1].x, bfl, TOLERANCE * efl, lens.name);
     }
 }

@@ -5,7 +5,7 @@ use super::variant::Form;
 use crate::scene::{DiagramSettings, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
 
 const TRACE: [&str; 4] = ["secondary_rays", "max_depth", "min_power", "max_segments"];
-const DIAGRAM: [&str; 16] = [
+const DIAGRAM: [&str; 17] = [
     "size",
     "view",
     "theme",
@@ -22,6 +22,7 @@ const DIAGRAM: [&str; 16] = [
     "principal_planes",
     "grid",
     "scale_bar",
+    "irradiance",
 ];
 
 const SECONDARY_RAYS: [Form; 3] =
@@ -84,6 +85,7 @@ impl Read for DiagramSettings {
             principal_planes: f.or(r, "principal_planes", d.principal_planes),
             grid: f.or(r, "grid", d.grid),
             scale_bar: f.or(r, "scale_bar", d.scale_bar),
+            irradiance: f.or(r, "irradiance", d.irradiance),
         })
     }
 

@@ -1,0 +1,161 @@
+//! How the light on a screen is spread along it.
+
+use std::collections::BTreeMap;
+
+use crate::light::Wavelength;
+use crate::numerics::Sum;
+use crate::system::OpticalSystem;
+use crate::trace::{Ending, RayTree, Segment, TracedRay};
+
+/// So many equal parts a screen has.
+const PARTS: usize = 240;
+
+/// Irradiance along a screen.
+///
+/// Rays are samples of a beam. Each stands for the light half way to its neighbors: rays with consecutive numbers of one source and
+/// one line that came by the same hits. Its power is spread evenly over the stretch of the screen between the middles of the
+/// ways to their two landing points, on the outer side of the last ray as far as on its inner one, and at its point where it
+/// has no neighbor. So a smooth beam has a smooth curve however few rays show it, light that folds over itself adds up, and no
+/// power is lost or made: of each line, the sum of value times width over all parts is the power that landed, up to rounding. What
+/// is sharper than a part is as high as the part allows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Irradiance {
+    /// The screen, by its place among the scene's bodies.
+    pub body: usize,
+    /// Length of the screen, scene units; positions count from its first point, as in a trace.
+    pub length: f64,
+    /// How many branches landed.
+    pub hits: usize,
+    /// One curve for each spectral line that landed, ascending.
+    pub curves: Vec<Curve>,
+}
+
+/// Irradiance of one spectral line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Vacuum wavelength.
+    pub wavelength: Wavelength,
+    /// Power per length, in the sources' unit per scene unit, of equal parts of the screen from its first point on.
+    pub values: Vec<f64>,
+}
+
+/// Light on its place: a branch that landed.
+#[derive(Clone, Copy)]
+struct Landed {
+    ray: usize,
+    position: f64,
+    power: f64,
+}
+
+/// What neighbors have in common: source, and the letter and the body of every hit on the way.
+type Way = (usize, Vec<(Option<char>, usize)>);
+
+impl Irradiance {
+    /// The parts of a curve: the positions of both ends of each, and the value.
+    pub fn parts<'a>(&self, curve: &'a Curve) -> impl Iterator<Item = ([f64; 2], f64)> + use<'a> {
+        let width = self.length / count(curve.values.len());
+        curve.values.iter().enumerate().map(move |(k, value)| ([width * count(k), width * count(k + 1)], *value))
+    }
+}
+
+/// The irradiance on every screen, in the bodies' order, hit or not. `tree` must come from `system`.
+#[must_use]
+pub fn irradiance(system: &OpticalSystem, tree: &RayTree) -> Vec<Irradiance> {
+    system.screens.iter().map(|&body| on_screen(system, tree, body)).collect()
+}
+
+fn on_screen(system: &OpticalSystem, tree: &RayTree, body: usize) -> Irradiance {
+    let outline = system.bodies.get(body).and_then(|body| body.outlines.first());
+    let length = outline.map_or(0.0, |outline| outline.curves.iter().map(|curve| curve.length()).sum());
+    let is_closed = outline.is_some_and(|outline| outline.closed);
+    let mut lines: BTreeMap<u64, (Wavelength, BTreeMap<Way, Vec<Landed>>)> = BTreeMap::new();
+    for (ray, segment) in tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment))) {
+        let Some(landed) = landed(ray, segment, body) else { continue };
+        // Positive numbers sort as their bits do.
+        let line = lines.entry(ray.wavelength.nanometers().to_bits());
+        let (_, ways) = line.or_insert_with(|| (ray.wavelength, BTreeMap::new()));
+        ways.entry(way(ray, segment)).or_default().push(landed);
+    }
+    let hits = lines.values().flat_map(|(_, ways)| ways.values()).map(Vec::len).sum();
+    let curves = lines.into_values().map(|(wavelength, ways)| {
+        let mut parts = Parts::new(length);
+        for mut landed in ways.into_values() {
+            landed.sort_by_key(|landed| landed.ray);
+            landed.chunk_by(|a, b| are_neighbors(a, b, length, is_closed)).for_each(|run| parts.add_run(run));
+        }
+        Curve { wavelength, values: parts.values() }
+    });
+    Irradiance { body, length, hits, curves: curves.collect() }
+}
+
+fn landed(ray: &TracedRay, segment: &Segment, body: usize) -> Option<Landed> {
+    let hit = segment.hit.filter(|hit| segment.ending == Ending::Detected && hit.body == body)?;
+    Some(Landed { ray: ray.ray, position: hit.position?, power: segment.power.total() })
+}
+
+fn way(ray: &TracedRay, segment: &Segment) -> Way {
+    let parent = |segment: &&Segment| ray.segments.get(segment.parent?.index());
+    let hits = std::iter::successors(Some(segment), parent)
+        .filter_map(|segment| Some((segment.via.letter(), segment.hit?.body)));
+    (ray.source, hits.collect())
+}
+
+/// Whether light between two rays landed between them; not where a closed screen's end meets its start.
+fn are_neighbors(a: &Landed, b: &Landed, length: f64, is_closed: bool) -> bool {
+    b.ray - a.ray == 1 && !(is_closed && (b.position - a.position).abs() > 0.5 * length)
+}
+
+/// Power in equal parts of a screen.
+struct Parts {
+    width: f64,
+    power: Vec<Sum>,
+}
+
+impl Parts {
+    fn new(length: f64) -> Self {
+        Self { width: length / count(PARTS), power: vec![Sum::default(); PARTS] }
+    }
+
+    fn values(&self) -> Vec<f64> {
+        self.power.iter().map(|power| power.value() / self.width).collect()
+    }
+
+    /// Spreads the power of neighbors.
+    fn add_run(&mut self, run: &[Landed]) {
+        for (place, landed) in run.iter().enumerate() {
+            let half_way = |neighbor: Option<&Landed>| neighbor.map(|next| 0.5 * (next.position - landed.position));
+            let before = half_way(place.checked_sub(1).and_then(|place| run.get(place)));
+            let behind = half_way(run.get(place + 1));
+            let from = landed.position + before.or(behind.map(|way| -way)).unwrap_or(0.0);
+            let to = landed.position + behind.or(before.map(|way| -way)).unwrap_or(0.0);
+            self.spread(from.min(to), from.max(to), landed.power);
+        }
+    }
+
+    /// Spreads power evenly over a stretch; what lies beyond the screen's ends comes to lie on it.
+    fn spread(&mut self, from: f64, to: f64, power: f64) {
+        let length = self.width * count(PARTS);
+        let (from, to) = (from.clamp(0.0, length), to.clamp(0.0, length));
+        let (first, last) = (self.part(from), self.part(to));
+        if first == last {
+            self.power[first].add(power);
+            return;
+        }
+        for part in first..=last {
+            let (begin, end) = (self.width * count(part), self.width * count(part + 1));
+            let covered = (to.min(end) - from.max(begin)).max(0.0);
+            self.power[part].add(power * (covered / (to - from)));
+        }
+    }
+
+    /// The part in which a position lies.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the parts")]
+    fn part(&self, position: f64) -> usize {
+        (position / self.width).clamp(0.0, count(PARTS - 1)) as usize
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a small number")]
+fn count(parts: usize) -> f64 {
+    parts as f64
+}
