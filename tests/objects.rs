@@ -81,8 +81,9 @@ fn a_thin_lens_images_by_its_equation_wherever_it_stands() {
 
 #[test]
 fn light_from_the_focal_plane_makes_no_image() {
-    for (height, foot) in [(12.0, 0.0), (7.0, -2.0)] {
-        let run = scene(&thin_lens(40.0, 0.0, DVec2::ZERO), DVec2::new(-40.0, foot), DVec2::new(-40.0, height));
+    for (height, foot, rotate) in [(12.0, 0.0, 0.0), (7.0, -2.0, 0.0), (7.1, 0.0, 33.0), (-5.3, 1.0, 119.0)] {
+        let place = |x: f64, y: f64| Turn::degrees(rotate).apply(DVec2::new(x, y));
+        let run = scene(&thin_lens(37.0, rotate, DVec2::ZERO), place(-37.0, foot), place(-37.0, height));
         assert_eq!((found(&run), run.trace.tree.rays.len()), (Vec::new(), 3));
     }
 }

@@ -7,7 +7,7 @@ use crate::system::{OpticalSystem, PlacedObject, PlacedSource};
 use crate::trace::{RayTree, Segment, SegmentId, TracedRay, trace};
 
 /// Rays that pass their focus farther off than this share of the image's height make no image.
-const SHARP: f64 = 0.1;
+const SHARP: f64 = 0.05;
 /// An object that leans by less than this, radians, stands across the axis.
 const UPRIGHT: f64 = 1e-9;
 /// A tip nearer to the axis than this share of the object's height is on it.
@@ -36,7 +36,7 @@ pub struct ObjectImage {
 ///
 /// The rays of an object are followed on the way that they share, at every hit the branch that has most of their light; of
 /// several lines it is the middle one. Where they meet between two hits, there is a real image. Behind the last hit it may be
-/// virtual too. Rays that pass their focus farther off, in the mean square, than a tenth of the image's height make none, and
+/// virtual too. Rays that pass their focus farther off, in the mean square, than a twentieth of the image's height make none, and
 /// neither do parallel ones.
 ///
 /// The foot stands by the first-order law that a plane across the axis is imaged into one across the axis, at the
