@@ -8,6 +8,7 @@ mod confusion;
 mod deviation;
 mod images;
 mod irradiance;
+mod objects;
 mod paraxial;
 
 pub use axis::Axis;
@@ -16,4 +17,5 @@ pub use confusion::Confusion;
 pub use deviation::{deviation_degrees, turning_degrees};
 pub use images::{Image, images};
 pub use irradiance::{Curve, Irradiance, irradiance};
+pub use objects::{ObjectImage, object_images};
 pub use paraxial::{Paraxial, paraxial, paraxial_of};

@@ -3,12 +3,14 @@
 
 mod arrangement;
 mod cells;
+mod centered;
 mod cuts;
 mod gaps;
 mod interfaces;
 mod intersect;
 mod leaders;
 mod lists;
+mod object;
 mod origin;
 mod outlook;
 mod region;
@@ -25,7 +27,7 @@ use crate::compile::gaps::{Gap, gaps};
 use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
 use crate::compile::region::Regions;
 use crate::compile::runs::Runs;
-use crate::compile::sources::{Ground, rays};
+use crate::compile::sources::{Ground, first_points};
 use crate::geometry::{Bounds, Curve, CurveTree, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
@@ -82,7 +84,18 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     let near = rounding(walls.iter().filter(|wall| is_interface(wall)), origin);
     let dropped: Vec<_> = (0..walls.len()).filter(|k| !is_interface(&walls[*k])).collect();
     let firsts = runs.firsts(pieces.list.iter().map(|piece| piece.boundary));
-    let ground = Ground { origin, walls: &walls, dropped, runs: &runs, firsts, near, regions: &regions, surroundings };
+    let ground = Ground {
+        origin,
+        walls: &walls,
+        dropped,
+        runs: &runs,
+        firsts,
+        near,
+        regions: &regions,
+        surroundings,
+        bodies: &scene.bodies,
+        media: &media.list,
+    };
     let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
     let kept = pieces.list.iter().zip(&walls).filter(|(_, wall)| is_interface(wall));
     let firsts = runs.firsts(kept.map(|(piece, _)| piece.boundary));
@@ -201,7 +214,7 @@ impl Layout {
                 bounds = bounds.union(Bounds::from(&placement.curve(curve)));
             }
         }
-        let starts = scene.sources.iter().flat_map(|source| rays(&source.light, DVec2::ZERO)).map(|(from, _)| from);
+        let starts = scene.sources.iter().flat_map(|source| first_points(&source.light));
         bounds.union(Bounds::of(starts))
     }
 

@@ -8,8 +8,9 @@ use crate::compile::region::Regions;
 use crate::compile::runs::Runs;
 use crate::geometry::{Bounds, Curve};
 use crate::light::{Power, Wavelength};
+use crate::media::Dispersion;
 use crate::numerics::{Turn, cross, side};
-use crate::scene::{Direction, Light, Polarization, Source};
+use crate::scene::{Body, Direction, Light, Polarization, Source};
 use crate::system::{Interface, MediumId, PlacedSource, RayStart, Start, VertexId};
 
 /// What rays start among.
@@ -26,10 +27,20 @@ pub(crate) struct Ground<'a> {
     pub(crate) near: f64,
     pub(crate) regions: &'a Regions<'a>,
     pub(crate) surroundings: MediumId,
+    pub(crate) bodies: &'a [Body],
+    pub(crate) media: &'a [Dispersion],
 }
 
-/// First points and unit directions of a source's rays, relative to `origin`.
-pub(crate) fn rays(light: &Light, origin: DVec2) -> Vec<(DVec2, DVec2)> {
+/// The points that a source's rays start from.
+pub(crate) fn first_points(light: &Light) -> Vec<DVec2> {
+    match light {
+        Light::Object { to, .. } => vec![*to],
+        _ => rays(light, DVec2::ZERO).into_iter().map(|(from, _)| from).collect(),
+    }
+}
+
+/// First points and unit directions of a source's rays, relative to `origin`; those of an object depend on what it faces.
+fn rays(light: &Light, origin: DVec2) -> Vec<(DVec2, DVec2)> {
     match light {
         Light::Ray { from, direction } => vec![(*from - origin, heading(*from, *direction, 0.0))],
         Light::Beam { center, direction, width, rays } => {
@@ -45,6 +56,7 @@ pub(crate) fn rays(light: &Light, origin: DVec2) -> Vec<(DVec2, DVec2)> {
             let angle = |k: u32| 360.0 * f64::from(k) / f64::from(*rays);
             (0..*rays).map(|k| (*at - origin, Turn::degrees(angle(k)).direction())).collect()
         }
+        Light::Object { .. } => Vec::new(),
     }
 }
 
@@ -65,7 +77,7 @@ fn heading(from: DVec2, direction: Direction, turned: f64) -> DVec2 {
 
 /// The unit vector along `v`, whatever its magnitude; zero for zero. A component so small that its products with
 /// coordinates would underflow is 0.
-fn unit(v: DVec2) -> DVec2 {
+pub(crate) fn unit(v: DVec2) -> DVec2 {
     let scaled = v / v.abs().max_element();
     let unit = scaled / scaled.length();
     let unit = DVec2::select(unit.abs().cmplt(DVec2::splat(1e-200)), DVec2::ZERO, unit);
@@ -75,7 +87,15 @@ fn unit(v: DVec2) -> DVec2 {
 impl Ground<'_> {
     /// Lays out the rays of a source.
     pub(crate) fn place(&self, source: &Source) -> PlacedSource {
-        let starts: Vec<_> = rays(&source.light, self.origin).into_iter().map(|(p, d)| self.start(p, d)).collect();
+        let (rays, object) = match source.light {
+            Light::Object { from, to } => {
+                let (directions, object) = self.object(source, from, to).unzip();
+                let rays = directions.unwrap_or_default().into_iter().map(|direction| (to - self.origin, direction));
+                (rays.collect(), object)
+            }
+            _ => (rays(&source.light, self.origin), None),
+        };
+        let starts: Vec<_> = rays.into_iter().map(|(p, d)| self.start(p, d)).collect();
         let lines: Vec<_> = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometers).collect();
         #[expect(clippy::cast_precision_loss, reason = "ray counts are far below 2^53")]
         let power = source.power / (starts.len() as f64 * lines.len() as f64);
@@ -84,11 +104,11 @@ impl Ground<'_> {
             Polarization::S => Power { s: power, p: 0.0 },
             Polarization::P => Power { s: 0.0, p: power },
         };
-        PlacedSource { starts, lines, power }
+        PlacedSource { starts, lines, power, object }
     }
 
     /// The medium that a ray starts in, and the boundary it starts on and must not hit there.
-    fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
+    pub(crate) fn start(&self, from: DVec2, direction: DVec2) -> RayStart {
         let walls = self.walls_near(from);
         let (start, medium) = self
             .at_vertex(from, direction, &walls)

@@ -10,7 +10,7 @@ use crate::diagram::branches::{Branch, letters, share};
 use crate::diagram::frame::{Extent, Frame, clip};
 use crate::drawing::{Item, Path, Shape, Stroke};
 use crate::numerics::cross;
-use crate::scene::Scene;
+use crate::scene::{Light, Scene, Source};
 use crate::trace::{Ending, RayTree, Segment, TracedRay};
 
 /// Rays that meet farther behind than this many sizes of the scene count as parallel.
@@ -77,12 +77,14 @@ fn ends(extension: &Extension<'_>, frame: &Frame) -> Option<[DVec2; 2]> {
     ((ends[1] - ends[0]).length() >= SHORTEST).then_some(ends)
 }
 
-/// All extensions of a scene that asks for them.
+/// All extensions of a scene that asks for them, but for rays of objects, whose images are drawn with lines of their own.
 fn found<'a>(scene: &Scene, tree: &'a RayTree) -> Vec<Extension<'a>> {
     if !scene.diagram.extensions {
         return Vec::new();
     }
-    let ways: Vec<Way<'_>> = middle_lines(tree).filter_map(Way::of).collect();
+    let is_object =
+        |ray: &TracedRay| matches!(scene.sources.get(ray.source), Some(Source { light: Light::Object { .. }, .. }));
+    let ways: Vec<Way<'_>> = middle_lines(tree).filter(|ray| !is_object(ray)).filter_map(Way::of).collect();
     let size = Extent::of(ways.iter().flat_map(Way::points)).map_or(0.0, |extent| extent.size().max_element());
     let mut all = Vec::new();
     for (i, way) in ways.iter().enumerate() {

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
 use crate::numerics::atan2_degrees;
-use crate::scene::{Light, Substance, Surface};
+use crate::scene::{Body, Imaging, Light, Substance, Surface};
 use crate::trace::Hit;
 
 /// More marks would be noise.
@@ -78,7 +78,12 @@ fn marked_hit<'a>(figure: &Figure<'_>, branch: &'a Branch<'_>) -> Option<MarkedH
     let at = figure.frame.place(to);
     let theta_1 = hit.theta_i_degrees();
     let is_part_of_fan = branch.fan.is_some();
-    if !stands_for_its_source(figure, branch) || is_part_of_fan || theta_1 < SMALLEST || is_thin_lens(figure, &hit) {
+    if !stands_for_its_source(figure, branch)
+        || is_part_of_fan
+        || theta_1 < SMALLEST
+        || is_thin_lens(figure, &hit)
+        || is_imaging(figure, branch)
+    {
         return None;
     }
     let refracts = hit.n_t.is_some_and(|n_t| n_t.to_bits() != hit.n_i.to_bits());
@@ -126,8 +131,17 @@ fn stands_for_its_source(figure: &Figure<'_>, branch: &Branch<'_>) -> bool {
         Some(Light::Beam { rays, .. }) => middle(*rays),
         Some(Light::Fan { rays, .. }) => *rays <= FEW_RAYS || middle(*rays),
         Some(Light::Point { rays, .. }) => *rays <= FEW_RAYS,
-        Some(Light::Ray { .. }) | None => true,
+        Some(Light::Ray { .. } | Light::Object { .. }) | None => true,
     }
+}
+
+/// Whether a hit of an object's ray at what makes an image: there a ray is drawn by the focal points, not by angles. At a
+/// flat mirror it is drawn by the law of reflection.
+pub(super) fn is_imaging(figure: &Figure<'_>, branch: &Branch<'_>) -> bool {
+    let is_object = figure.system.sources().get(branch.ray.source).is_some_and(|source| source.object.is_some());
+    let body = branch.segment.hit.and_then(|hit| figure.scene.bodies.get(hit.body));
+    let axis = body.filter(|_| is_object).and_then(Body::optical_axis);
+    axis.is_some_and(|axis| axis.imaging != Imaging::FlatMirror)
 }
 
 fn is_thin_lens(figure: &Figure<'_>, hit: &Hit) -> bool {

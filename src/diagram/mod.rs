@@ -5,9 +5,11 @@
 mod angles;
 mod arc;
 mod arrows;
+mod axes;
 mod blend;
 mod bodies;
 mod branches;
+mod cardinal;
 mod coincidence;
 mod crowd;
 mod deviations;
@@ -23,6 +25,8 @@ mod legend;
 mod nice;
 mod normals;
 mod notes;
+mod objects;
+mod optics;
 mod outline;
 mod palette;
 mod paths;
@@ -49,6 +53,7 @@ use branches::{Branch, Sight};
 use crowd::Crowd;
 use frame::Frame;
 use key::Entry;
+use optics::Optics;
 use palette::Palette;
 use room::Room;
 use styles::Styles;
@@ -61,6 +66,7 @@ struct Figure<'a> {
     scene: &'a Scene,
     system: &'a OpticalSystem,
     tree: &'a RayTree,
+    optics: &'a Optics,
     frame: Frame,
     palette: Palette,
     styles: Styles<'a>,
@@ -92,6 +98,7 @@ pub(crate) fn laid_out(
     everywhere: bool,
 ) -> (Drawing, Statistics) {
     let palette = Palette::of(scene.diagram.theme);
+    let optics = Optics::new(scene, system, tree);
     let (header, top) = header::header(scene, &palette);
     let screens = irradiance::screens(scene, system, tree);
     let strip = irradiance::width(scene, &screens);
@@ -100,7 +107,7 @@ pub(crate) fn laid_out(
     let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
     let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }, is_expected);
     let (mut items, mut statistics) = loop {
-        let (mut figure, statistics) = seen(scene, system, tree, area(scene, top, foot, strip), everywhere);
+        let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot, strip), everywhere);
         let (layers, below) = figure.layers(statistics.segments_below_faintest);
         let taken = key::height(&below, figure.frame.area.size().x);
         if taken <= foot && !(is_guess && taken < foot) {
@@ -124,14 +131,13 @@ pub(crate) fn laid_out(
 
 /// What is seen of the scene in an area, before it is drawn.
 fn seen<'a>(
-    scene: &'a Scene,
-    system: &'a OpticalSystem,
-    tree: &'a RayTree,
+    (scene, system, tree): (&'a Scene, &'a OpticalSystem, &'a RayTree),
+    optics: &'a Optics,
     area: Rect,
     everywhere: bool,
 ) -> (Figure<'a>, Statistics) {
     let palette = Palette::of(scene.diagram.theme);
-    let frame = Frame::new(area, &view::extent(scene, system, tree, &area));
+    let frame = Frame::new(area, &view::extent(scene, system, tree, optics, &area));
     let mut crowd = Crowd::new(Styles::new(scene, palette, tree));
     let mut statistics = Statistics::default();
     let sight = Sight { frame: &frame, faintest: scene.diagram.faintest, everywhere };
@@ -142,7 +148,7 @@ fn seen<'a>(
     statistics.segments_outside_view = spared.outside_view;
     statistics.segments_below_faintest = spared.below_faintest;
     let (branches, styles, crowd) = crowd.finish();
-    (Figure { scene, system, tree, frame, palette, styles, branches, crowd }, statistics)
+    (Figure { scene, system, tree, optics, frame, palette, styles, branches, crowd }, statistics)
 }
 
 impl Figure<'_> {
@@ -158,17 +164,25 @@ impl Figure<'_> {
             layers.push(self.layer("grid", grid::grid(self)));
         }
         layers.push(self.layer("surfaces", surfaces::surfaces(self)));
-        let extensions = extensions::extensions(self);
+        let axes = if settings.optical_axis { axes::axes(self) } else { Vec::new() };
+        let planes = cardinal::planes(self);
+        let mut extensions = extensions::extensions(self);
+        extensions.extend(objects::lines_back(self));
+        let objects = objects::arrows(self);
         let shapes = labels::shapes(self);
-        let mut room = Room::new(self, labels::chords(&shapes), &[&normals, &extensions]);
+        let mut room = Room::new(self, labels::chords(&shapes), &[&normals, &extensions, &axes, &planes, &objects]);
         let hits = if crowd_is_empty { hits::marked(self) } else { Vec::new() };
         let (angles, mut below) =
             if settings.angles { angles::angles(self, &hits, &mut room) } else { Default::default() };
         let (deviations, unplaced) = deviations::deviations(self, &mut room);
         below.extend(unplaced);
+        let mut words = cardinal::letters(self, &mut room);
+        words.extend(objects::words(self, &mut room));
         let protractors =
             if settings.protractor { protractors::protractors(self, &hits, &mut room) } else { Vec::new() };
-        let words = labels::labels(self, &shapes, &mut room);
+        words.extend(labels::labels(self, &shapes, &mut room));
+        layers.push(self.layer("axes", axes));
+        layers.push(self.layer("principal-planes", planes));
         layers.push(self.layer("normals", normals));
         layers.push(self.layer("extensions", extensions));
         layers.push(self.layer("protractors", protractors));
@@ -179,6 +193,8 @@ impl Figure<'_> {
             layers.push(self.layer("arrows", arrows::arrows(self)));
         }
         layers.push(self.layer("angles", angles));
+        layers.push(self.layer("objects", objects));
+        layers.push(self.layer("focal-points", cardinal::points(self)));
         layers.push(self.layer("sources", sources::sources(self)));
         layers.push(self.layer("labels", words));
         layers.push(Group::layer("notes", notes::notes(self)).into());

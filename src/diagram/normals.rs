@@ -3,6 +3,7 @@ use glam::DVec2;
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
 use crate::diagram::frame::clip;
+use crate::diagram::hits::is_imaging;
 use crate::diagram::styles::{opacity, strength};
 use crate::drawing::{Item, Path, Shape, Stroke};
 
@@ -56,6 +57,7 @@ fn normal(figure: &Figure<'_>, branch: &Branch<'_>) -> Option<Normal> {
     let at = figure.frame.place(branch.segment.to?);
     let along = figure.frame.turn(hit.normal).normalize_or_zero();
     let sine = hit.sin_t.map_or(hit.sin_i.abs(), |sin_t| sin_t.abs().min(hit.sin_i.abs()));
+    let turns = turns && !is_imaging(figure, branch);
     (turns && figure.frame.area.contains(at)).then_some(Normal { at, along, sine, strength: strength(branch.share) })
 }
 

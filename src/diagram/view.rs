@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::diagram::branches::{letters, share};
 use crate::diagram::frame::Extent;
+use crate::diagram::optics::Optics;
 use crate::diagram::{extensions, outline};
 use crate::drawing::Rect;
 use crate::numerics::cross;
@@ -19,7 +20,7 @@ const REACH: f64 = 4.0;
 const MARGIN: f64 = 0.04;
 
 /// The part of the scene to show.
-pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, area: &Rect) -> Extent {
+pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, optics: &Optics, area: &Rect) -> Extent {
     if let View::Box(a, b) = scene.diagram.view {
         return Extent::point(a).with(b);
     }
@@ -30,7 +31,11 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, area
     else {
         return Extent { min: DVec2::splat(-1.0), max: DVec2::splat(1.0) };
     };
-    let focused = crossings(&escaped, &things, aspect).into_iter().chain(unlit).fold(things, Extent::with);
+    let focused = crossings(&escaped, &things, aspect)
+        .into_iter()
+        .chain(unlit)
+        .chain(optics.points(&things))
+        .fold(things, Extent::with);
     tails(&escaped, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN)
 }
 
@@ -63,6 +68,7 @@ fn things(scene: &Scene, system: &OpticalSystem) -> Vec<DVec2> {
     let mut points: Vec<DVec2> = outlines.flat_map(|o| &o.curves).flat_map(outline::samples).collect();
     let starts = system.sources().iter().flat_map(|source| &source.starts);
     points.extend(starts.map(|start| start.from + system.origin()));
+    points.extend(system.sources().iter().filter_map(|source| source.object).map(|object| object.foot));
     points.extend(scene.notes.iter().map(|note| note.at));
     points
 }

@@ -32,6 +32,12 @@ pub struct DiagramSettings {
     pub protractor: bool,
     /// Optical path between the marks of equal optical path, mm; no marks if `None`.
     pub wavefronts: Option<f64>,
+    /// Optical axes of lenses and curved mirrors.
+    pub optical_axis: bool,
+    /// Focal points of lenses and curved mirrors, and centers of curvature of the mirrors.
+    pub focal_points: bool,
+    /// Principal planes of lenses.
+    pub principal_planes: bool,
     /// Coordinate grid.
     pub grid: bool,
     /// Scale bar.
@@ -57,6 +63,9 @@ impl Default for DiagramSettings {
             deviations: Vec::new(),
             protractor: false,
             wavefronts: None,
+            optical_axis: true,
+            focal_points: false,
+            principal_planes: false,
             grid: false,
             scale_bar: false,
             irradiance: true,

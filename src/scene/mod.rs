@@ -1,5 +1,6 @@
 //! What a scene file says: bodies, sources, how to trace and what to draw, with every problem in it found and placed.
 
+mod axis;
 mod body;
 mod check;
 mod color;
@@ -16,6 +17,7 @@ mod tracing;
 
 use glam::DVec2;
 
+pub use axis::{Imaging, OpticalAxis, facing};
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
 pub use limits::{

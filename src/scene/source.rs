@@ -56,6 +56,13 @@ pub enum Light {
         /// Number of rays, at least 1.
         rays: u32,
     },
+    /// An upright arrow that sends from its tip the principal rays through the element that it faces.
+    Object {
+        /// Foot.
+        from: DVec2,
+        /// Tip, which is not the foot.
+        to: DVec2,
+    },
 }
 
 /// Where a ray heads.

@@ -7,7 +7,7 @@ mod placed;
 pub(crate) use cells::Cells;
 pub(crate) use interface::rounding;
 pub use interface::{Action, Interface, MediumId, VertexId};
-pub use placed::{Outline, PlacedBody, PlacedSource, RayStart, Start};
+pub use placed::{Outline, PlacedBody, PlacedObject, PlacedSource, RayStart, Start};
 
 use glam::DVec2;
 

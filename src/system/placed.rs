@@ -2,6 +2,7 @@ use glam::DVec2;
 
 use crate::geometry::Curve;
 use crate::light::{Power, Wavelength};
+use crate::scene::OpticalAxis;
 use crate::system::MediumId;
 
 /// A body where it stands, in scene coordinates.
@@ -33,6 +34,23 @@ pub struct PlacedSource {
     pub lines: Vec<Wavelength>,
     /// Power of one ray at one line.
     pub power: Power,
+    /// The arrow that it is, if it is one.
+    pub object: Option<PlacedObject>,
+}
+
+/// An object arrow, and what finds its image.
+#[derive(Clone, Copy, Debug)]
+pub struct PlacedObject {
+    /// Its foot, in scene coordinates.
+    pub foot: DVec2,
+    /// Its tip, from which its rays start, in scene coordinates.
+    pub tip: DVec2,
+    /// The body that it faces, by its place in the scene.
+    pub body: usize,
+    /// That body's optical axis along the light.
+    pub axis: OpticalAxis,
+    /// Rays that no light follows: along the axis from beside the tip, and two neighbors from the foot.
+    pub probes: [RayStart; 3],
 }
 
 /// Where a ray starts.

@@ -25,7 +25,8 @@ fn the_reference_names_and_shows_every_word_of_the_format() {
         page.blocks.iter().filter(|block| block.mark.starts_with("ron")).flat_map(|block| words(&block.text)).collect();
     let shapes =
         ["Lens(x: 0)", "Prism(x: 0)", "Outline(x: 0)", "LensGroup(x: 0)", "Flat(x: 0)", "Arc(x: 0)", "Stop(x: 0)"];
-    let lights = ["Ray(x: 0)", "Beam(x: 0)", "Fan(x: 0)", "Point(x: 0)", "Ray(from: (0, 0), direction: X)"];
+    let lights =
+        ["Ray(x: 0)", "Beam(x: 0)", "Fan(x: 0)", "Point(x: 0)", "Object(x: 0)", "Ray(from: (0, 0), direction: X)"];
     let mut probes: Vec<String> = [
         "(x: 0)",
         "(surroundings: X)",

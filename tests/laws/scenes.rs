@@ -87,6 +87,7 @@ pub(crate) fn turned(scene: Scene, angle: f64, shift: DVec2) -> Scene {
             Light::Fan { from: turn(from), direction: heading(direction), spread, rays }
         }
         Light::Point { at, rays } => Light::Point { at: turn(at), rays },
+        Light::Object { from, to } => Light::Object { from: turn(from), to: turn(to) },
     };
     let sources = scene.sources.into_iter().map(|source| Source { light: light(source.light), ..source }).collect();
     Scene { bodies, sources, ..scene }

@@ -24,6 +24,7 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("lenses/diverging", ideal::a_diverging_lens_makes_a_small_virtual_image),
     ("lenses/facets", aberrations::facets_bring_strips_not_a_focus),
     ("lenses/galilean-telescope", systems::galileo_turns_light_four_times_as_far),
+    ("lenses/intermediate-image", systems::the_second_lens_images_the_first_image),
     ("lenses/kepler-telescope", systems::kepler_turns_light_four_times_as_far_to_the_other_side),
     ("lenses/magnifier", ideal::a_magnifier_makes_a_large_virtual_image),
     ("lenses/meniscus", singlets::the_thick_middle_gathers_and_the_thin_one_spreads),
@@ -32,4 +33,5 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("lenses/relay", systems::a_relay_images_upside_down_by_the_ratio_of_focal_lengths),
     ("lenses/spherical-aberration", aberrations::rim_rays_cross_earlier),
     ("lenses/wavefronts", singlets::all_ways_to_the_focus_take_equally_long),
+    ("lenses/thick-lens", systems::distances_count_from_the_principal_planes),
 ];

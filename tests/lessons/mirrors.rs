@@ -6,17 +6,20 @@ use snellius::trace::{Segment, TracedRay};
 
 use crate::Lesson;
 use crate::measure::{asin, changed, cos, sin};
-use crate::rays::{assert_near, distance, focus, height, is_ahead, meet, out, rays, slope, x_at};
+use crate::rays::{assert_near, distance, focus, height, images, is_ahead, meet, out, rays, shrunk, slope, x_at};
 use crate::support::Run;
 
 pub(crate) const LESSONS: &[Lesson] = &[
     ("mirrors/caustic", reflected_rays_touch_the_nephroid),
     ("mirrors/center-of-curvature", light_from_the_center_comes_back),
     ("mirrors/concave", a_concave_mirror_focuses_at_half_its_radius),
+    ("mirrors/concave-image", a_concave_mirror_images_what_stands_beyond_its_focus),
     ("mirrors/convex", a_convex_mirror_has_a_virtual_focus_at_half_its_radius),
+    ("mirrors/convex-image", a_convex_mirror_shows_things_smaller),
     ("mirrors/optical-square", two_mirrors_turn_by_twice_their_angle),
     ("mirrors/plane", a_plane_mirror_images_behind_itself),
     ("mirrors/retroreflecting-ball", a_ball_of_index_two_sends_light_back),
+    ("mirrors/shaving-mirror", a_shaving_mirror_magnifies),
 ];
 
 /// The rays of a source off the axis, each with its height.
@@ -94,14 +97,42 @@ pub(crate) fn two_mirrors_turn_by_twice_their_angle(run: &Run) {
     assert!((steep - flat).abs() > 0.1, "different rays");
 }
 
+/// The image of a small object at the place and of the height that the caption tells, and that of the scene's nearly.
+fn assert_image(run: &Run, image: DVec2, is_real: bool) {
+    for (share, tolerance) in [(1e-3, 1e-6), (1.0, 0.03)] {
+        let found = images(&shrunk(run, share));
+        assert_eq!((found.len(), found[0].is_real), (1, is_real));
+        assert_near(found[0].tip.x / image.x, 1.0, tolerance, "place of the image");
+        assert_near(found[0].tip.y / (share * image.y), 1.0, tolerance, "height of the image");
+        assert_eq!((found[0].foot.x, found[0].foot.y.abs() < 1e-12), (found[0].tip.x, true), "across the axis");
+    }
+}
+
+pub(crate) fn a_concave_mirror_images_what_stands_beyond_its_focus(run: &Run) {
+    assert_image(run, DVec2::new(-120.0, -10.0), true);
+}
+
+pub(crate) fn a_shaving_mirror_magnifies(run: &Run) {
+    assert_image(run, DVec2::new(40.0, 10.0), false);
+}
+
+pub(crate) fn a_convex_mirror_shows_things_smaller(run: &Run) {
+    assert_image(run, DVec2::new(24.0, 4.8), false);
+}
+
 pub(crate) fn a_plane_mirror_images_behind_itself(run: &Run) {
-    let reflected = reflected(run, "source");
+    let reflected = reflected(run, "object");
     let image = DVec2::new(40.0, 14.0);
     for pair in reflected.windows(2) {
         assert!(meet(pair[0], pair[1]).distance(image) < 1e-12, "as far behind as the source is in front");
     }
     assert!(reflected.iter().all(|ray| !is_ahead(ray, image)), "no light gets there");
-    for ray in rays(run, "source") {
+    let drawn = images(run);
+    assert!(
+        drawn[0].tip.distance(image) < 1e-12 && drawn[0].foot.distance(DVec2::new(40.0, -4.0)) < 1e-12,
+        "{drawn:?}"
+    );
+    for ray in rays(run, "object") {
         let [on, back] = [ray.segments[0].direction, out(ray).direction];
         assert!(back.distance(DVec2::new(-on.x, on.y)) < 1e-15, "angle out is angle in");
     }

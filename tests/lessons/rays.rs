@@ -1,6 +1,7 @@
 //! Bundles of rays about an axis: where they cross, and the closed forms of lenses that say where they must.
 
 use glam::DVec2;
+use snellius::analysis::{ObjectImage, object_images};
 use snellius::scene::Light;
 use snellius::trace::{Segment, TracedRay};
 
@@ -130,4 +131,20 @@ pub(crate) fn assert_cross_as_computed(run: &Run, source: &str, axis: f64, faces
 pub(crate) fn focus(run: &Run, source: &str, axis: f64) -> f64 {
     let narrow = narrowed(run, 1e-3);
     x_at(out(rays(&narrow, source)[1]), axis)
+}
+
+/// The images of the only object.
+pub(crate) fn images(run: &Run) -> Vec<ObjectImage> {
+    object_images(&run.system, &run.trace.tree)
+}
+
+/// The same scene with every object shrunk toward its foot to this share of its height.
+pub(crate) fn shrunk(run: &Run, share: f64) -> Run {
+    changed(run, |scene| {
+        for source in &mut scene.sources {
+            if let Light::Object { from, to } = &mut source.light {
+                *to = *from + share * (*to - *from);
+            }
+        }
+    })
 }

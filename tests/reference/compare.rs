@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use f256::f256;
 use glam::DVec2;
-use snellius::{Scene, Segment, TracedRay, compile, trace};
+use snellius::scene::{Direction, Light, Source};
+use snellius::{OpticalSystem, Scene, Segment, TracedRay, compile, trace};
 
 use crate::condition::Bundle;
 use crate::doubts::Doubt;
@@ -43,7 +44,7 @@ pub(crate) fn compare(scene: &Scene) -> Findings {
 pub(crate) fn compare_with(scene: &Scene, truth: &Scene) -> Findings {
     let system = compile(scene).unwrap_or_else(|problems| panic!("{problems}")).system;
     let (origin, tree) = (system.origin(), trace(&system).tree);
-    let Reference { size, rays } = reference(truth, origin);
+    let Reference { size, rays } = reference(&with_rays_of_objects(truth, &system), origin);
     let mut findings = Findings { rays: rays.len(), ..Findings::default() };
     assert_eq!(tree.rays.len(), rays.len());
     for (traced, ray) in tree.rays.iter().zip(&rays) {
@@ -56,6 +57,19 @@ pub(crate) fn compare_with(scene: &Scene, truth: &Scene) -> Findings {
         comparison.segment(&traced.segments[0], &ray.first);
     }
     findings
+}
+
+/// The same scene with every object as the rays that snellius lays out for it. Where those head is no matter of accuracy.
+fn with_rays_of_objects(scene: &Scene, system: &OpticalSystem) -> Scene {
+    // Toward a point so far away that the start's coordinates round nothing off the direction.
+    const FAR: f64 = 1_048_576.0;
+    let sources = scene.sources.iter().zip(system.sources()).flat_map(|(source, placed)| {
+        let Light::Object { to: from, .. } = source.light else { return vec![source.clone()] };
+        let power = source.power / placed.starts.len() as f64;
+        let light = |direction| Light::Ray { from, direction: Direction::Towards(from + FAR * direction) };
+        placed.starts.iter().map(|start| Source { light: light(start.direction), power, ..source.clone() }).collect()
+    });
+    Scene { sources: sources.collect(), ..scene.clone() }
 }
 
 struct Comparison<'a> {

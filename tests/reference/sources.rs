@@ -24,6 +24,7 @@ pub(crate) fn starts(light: &Light) -> Vec<(Wide2, Wide2)> {
             let degrees = |k: u32| wide(360.0) * wide(f64::from(k)) / wide(f64::from(*rays));
             (0..*rays).map(|k| ((*at).into(), direction(degrees(k)))).collect()
         }
+        Light::Object { .. } => panic!("an object is given as its rays"),
     }
 }
 

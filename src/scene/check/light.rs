@@ -3,7 +3,10 @@ use std::collections::HashSet;
 use glam::DVec2;
 
 use super::checker::{Checker, Text, show};
-use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Source, Spectrum};
+use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Scene, Shape, Source, Spectrum, facing};
+
+/// Rays of an object, at most.
+const OBJECT_RAYS: u64 = 3;
 
 /// One source by itself.
 pub(super) fn check_source(c: &mut Checker, path: impl Text, source: &Source) {
@@ -44,6 +47,15 @@ fn check_light(c: &mut Checker, path: impl Text, light: &Light) {
         Light::Point { at: start, rays } => {
             c.point(format_args!("{path}.at"), "the start", *start);
             check_rays(c, path, *rays);
+        }
+        Light::Object { from, to } => {
+            c.point(format_args!("{path}.from"), "the foot", *from);
+            c.point(format_args!("{path}.to"), "the tip", *to);
+            c.require(from != to, || {
+                let message = "the object has no height: its tip is its foot";
+                Problem::error(format!("{path}.to"), message, "write a point other than `from`")
+                    .label("the foot itself")
+            });
         }
     }
 }
@@ -129,6 +141,32 @@ fn check_line(c: &mut Checker, path: impl Text, nm: f64) -> bool {
         })
 }
 
+/// Objects face something that makes an image of them. What is wrong with a body may be the reason that they do not: that
+/// comes first.
+pub(super) fn check_objects(c: &mut Checker, scene: &Scene) {
+    let are_bodies_sound = c.problems.iter().all(|problem| !problem.path.starts_with("bodies"))
+        && scene.bodies.iter().all(|body| !matches!(body.shape, Shape::Disk { radius } if radius.is_nan()));
+    for (k, source) in scene.sources.iter().enumerate().filter(|_| are_bodies_sound) {
+        let Light::Object { from, to } = source.light else { continue };
+        if !from.is_finite() || !to.is_finite() || from == to {
+            continue;
+        }
+        let path = || format!("sources[{k}].light");
+        let Some((body, axis)) = facing(&scene.bodies, from) else {
+            let message = "nothing in the scene makes an image of this object";
+            let help =
+                "add a `ThinLens`, a `Mirror` on an `Arc` or a `Flat`, a `Lens` or a `LensGroup`, or use a `Fan`";
+            c.problems.push(Problem::error(path(), message, help).label("faces nothing"));
+            continue;
+        };
+        c.require(axis.along_light(to).is_some(), || {
+            let name = scene.bodies[body].name.clone().unwrap_or_else(|| format!("#{body}"));
+            let message = format!("the tip of the object stands within or beside `{name}`, which it faces");
+            Problem::error(path(), message, "move the whole object in front of it or behind it").label("not in front")
+        });
+    }
+}
+
 /// The rays of all sources together, before any memory is taken for them.
 pub(super) fn check_ray_total(c: &mut Checker, sources: &[Source]) {
     let mut total: u64 = 0;
@@ -148,6 +186,7 @@ pub(super) fn check_ray_total(c: &mut Checker, sources: &[Source]) {
 fn rays(light: &Light) -> u64 {
     match light {
         Light::Ray { .. } => 1,
+        Light::Object { .. } => OBJECT_RAYS,
         Light::Beam { rays, .. } | Light::Fan { rays, .. } | Light::Point { rays, .. } => u64::from(*rays),
     }
 }

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 
 use self::body::check_body;
 use self::checker::Checker;
-use self::light::{check_ray_total, check_source};
+use self::light::{check_objects, check_ray_total, check_source};
 use self::medium::{check_medium, check_wavelengths};
 use self::settings::{check_diagram, check_trace};
 use crate::scene::{Body, MAX_BODIES, MAX_NOTES, Problem, Scene, Source};
@@ -28,6 +28,7 @@ impl Scene {
         check_medium(&mut c, "surroundings", &self.surroundings);
         check_bodies(&mut c, &self.bodies);
         check_sources(&mut c, &self.sources);
+        check_objects(&mut c, self);
         check_wavelengths(&mut c, self);
         check_trace(&mut c, &self.trace);
         check_diagram(&mut c, &self.diagram);

@@ -5,7 +5,7 @@ use super::variant::Form;
 use crate::scene::{DiagramSettings, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
 
 const TRACE: [&str; 4] = ["secondary_rays", "max_depth", "min_power", "max_segments"];
-const DIAGRAM: [&str; 17] = [
+const DIAGRAM: [&str; 20] = [
     "size",
     "view",
     "theme",
@@ -20,6 +20,9 @@ const DIAGRAM: [&str; 17] = [
     "deviations",
     "protractor",
     "wavefronts",
+    "optical_axis",
+    "focal_points",
+    "principal_planes",
     "grid",
     "scale_bar",
     "irradiance",
@@ -83,6 +86,9 @@ impl Read for DiagramSettings {
             deviations: f.or(r, "deviations", d.deviations),
             protractor: f.or(r, "protractor", d.protractor),
             wavefronts: f.optional(r, "wavefronts"),
+            optical_axis: f.or(r, "optical_axis", d.optical_axis),
+            focal_points: f.or(r, "focal_points", d.focal_points),
+            principal_planes: f.or(r, "principal_planes", d.principal_planes),
             grid: f.or(r, "grid", d.grid),
             scale_bar: f.or(r, "scale_bar", d.scale_bar),
             irradiance: f.or(r, "irradiance", d.irradiance),

@@ -9,11 +9,12 @@ use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Polarization, Source, 
 
 const FIELDS: [&str; 6] = ["name", "light", "color", "spectrum", "power", "polarization"];
 
-const LIGHTS: [Form; 4] = [
+const LIGHTS: [Form; 5] = [
     ("Ray", "Ray(from: (-30, 10), direction: Angle(0))"),
     ("Beam", "Beam(center: (-30, 0), direction: Angle(0), width: 20, rays: 6)"),
     ("Fan", "Fan(from: (-30, 0), direction: Angle(0), spread: 30, rays: 8)"),
     ("Point", "Point(at: (-30, 0), rays: 24)"),
+    ("Object", "Object(from: (-60, 0), to: (-60, 12))"),
 ];
 const DIRECTIONS: [Form; 2] = [("Angle", "Angle(30)"), ("Towards", "Towards((0, 1))")];
 const SPECTRA: [Form; 3] =
@@ -62,6 +63,10 @@ impl Read for Light {
                 let f = variant.fields(r, &["from", "direction", "spread", "rays"])?;
                 let (from, direction) = (f.required(r, "from"), f.required(r, "direction"));
                 Self::Fan { from, direction, spread: f.required(r, "spread"), rays: rays(r, &f) }
+            }
+            "Object" => {
+                let f = variant.fields(r, &["from", "to"])?;
+                Self::Object { from: f.required(r, "from"), to: f.required(r, "to") }
             }
             _ => {
                 let f = variant.fields(r, &["at", "rays"])?;

@@ -5,7 +5,7 @@ use glam::DVec2;
 use snellius::trace::{Ending, Segment, TracedRay};
 
 use crate::measure::tan;
-use crate::rays::{assert_near, distance, narrowed, out, rays, slope, spread, x_at, y_at};
+use crate::rays::{assert_near, distance, images, narrowed, out, rays, shrunk, slope, spread, x_at, y_at};
 use crate::support::Run;
 
 /// The way between the first and the second lens.
@@ -59,6 +59,37 @@ pub(crate) fn a_relay_images_upside_down_by_the_ratio_of_focal_lengths(run: &Run
             assert_eq!(out(ray).ending, Ending::Detected);
             assert_near(out(ray).to.unwrap().y, -y * 45.0 / 30.0, 1e-12, "image");
         }
+    }
+}
+
+pub(crate) fn the_second_lens_images_the_first_image(run: &Run) {
+    let found = images(run);
+    assert_eq!(found.len(), 2);
+    let [first, second] = [&found[0], &found[1]];
+    assert!(first.is_real && first.is_intermediate && second.is_real && !second.is_intermediate);
+    assert!(first.tip.distance(DVec2::new(50.0 + 75.0, -1.5 * 6.0)) < 1e-11, "1/50 + 1/75 = 1/30: {first:?}");
+    assert!(second.tip.distance(DVec2::new(185.0 + 60.0, 1.5 * 6.0)) < 1e-11, "1/60 + 1/60 = 1/30: {second:?}");
+}
+
+pub(crate) fn distances_count_from_the_principal_planes(run: &Run) {
+    let power = 0.8 * (2.0 / 90.0 - 0.8 * 24.0 / (1.8 * 90.0 * 90.0));
+    let front = -12.0 + 0.8 * 24.0 / (1.8 * 90.0 * power);
+    let s = 110.0 + front;
+    let behind = 1.0 / (power - 1.0 / s);
+    assert_near(1.0 / power, 59.8, 0.05, "the caption's focal length");
+    assert_near(s, 105.1, 0.05, "the caption's distance to H");
+    assert_near(behind, 138.7, 0.05, "the caption's distance from H′");
+    let small = images(&shrunk(run, 1e-3));
+    assert!(small[0].tip.distance(DVec2::new(behind - front, -6e-3 * behind / s)) < 1e-4, "{small:?}");
+    let drawn = images(run);
+    assert!(
+        ((behind - front - drawn[0].tip.x) / behind - 0.03).abs() < 0.005,
+        "the arrow stands a little short: {drawn:?}"
+    );
+    // The ray through the principal planes: out at the height at which it was aimed.
+    let run = &shrunk(run, 1e-3);
+    for ray in rays(run, "object") {
+        assert_near(y_at(out(ray), -front), y_at(&ray.segments[0], front), 1e-8, "the same height");
     }
 }
 

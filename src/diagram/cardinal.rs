@@ -1,0 +1,106 @@
+use glam::DVec2;
+
+use crate::diagram::Figure;
+use crate::diagram::frame::clip;
+use crate::diagram::optics::Element;
+use crate::diagram::room::{Room, centered};
+use crate::drawing::{Anchor, Fill, Font, Item, Path, Shape, Stroke, Text};
+
+const SIZE: f64 = 13.0;
+/// Radius of a point, pixels.
+const RADIUS: f64 = 2.6;
+/// How far a principal plane stands out beyond its lens, pixels.
+const BEYOND: f64 = 18.0;
+/// Free space between letters and lines, pixels.
+const OFF_LINES: f64 = 3.0;
+/// How far from its point the middle of a letter is sought, pixels.
+const DISTANCES: [f64; 5] = [13.0, 17.0, 22.0, 29.0, 38.0];
+/// Where it is sought around the point: below first, since objects stand above the axis.
+const AROUND: [DVec2; 8] = [
+    DVec2::new(0.0, 1.0),
+    DVec2::new(0.0, -1.0),
+    DVec2::new(0.6, 0.8),
+    DVec2::new(-0.6, 0.8),
+    DVec2::new(0.6, -0.8),
+    DVec2::new(-0.6, -0.8),
+    DVec2::new(1.0, 0.3),
+    DVec2::new(-1.0, 0.3),
+];
+
+/// Dashed principal planes.
+pub(super) fn planes(figure: &Figure<'_>) -> Vec<Item> {
+    let stroke = Stroke::solid(figure.palette.quiet, 1.1).dashed(&[4.0, 3.0]);
+    let lines =
+        figure.optics.elements.iter().flat_map(|element| element.planes.iter().map(move |(_, p)| (element, *p)));
+    let lines = lines.filter_map(|(element, p)| {
+        let [a, b] = plane(figure, element, p);
+        clip(a, b - a, 1.0, &figure.frame.area)
+    });
+    lines.map(|[a, b]| Shape::stroked(Path::line(a, b), stroke.clone(), "principal-plane").into()).collect()
+}
+
+/// Both ends of a principal plane through a point of the axis, pixels, the upper one first.
+fn plane(figure: &Figure<'_>, element: &Element, p: DVec2) -> [DVec2; 2] {
+    let across = figure.frame.turn(element.axis.direction.perp());
+    let across = if across.y > 0.0 { -across } else { across };
+    let half = element.axis.half_height * figure.frame.scale() + BEYOND;
+    let middle = figure.frame.place(p);
+    [middle + half * across, middle - half * across]
+}
+
+/// The points on the axes, each once.
+pub(super) fn points(figure: &Figure<'_>) -> Vec<Item> {
+    let dot = |p| Shape::filled(Path::circle(p, RADIUS), Fill::solid(figure.palette.ink), "focal-point").into();
+    seen_points(figure).map(|(_, _, p)| dot(p)).collect()
+}
+
+/// What is in the frame: the element, the letters, the place in pixels.
+fn seen_points<'a>(figure: &'a Figure<'_>) -> impl Iterator<Item = (&'a Element, &'static str, DVec2)> {
+    let all =
+        figure.optics.elements.iter().flat_map(|element| element.points.iter().map(move |point| (element, point)));
+    let placed = all.map(|(element, (letters, p))| (element, *letters, figure.frame.place(*p)));
+    placed.filter(|(_, _, p)| figure.frame.area.contains(*p))
+}
+
+/// The letters of points and planes.
+pub(super) fn letters(figure: &Figure<'_>, room: &mut Room) -> Vec<Item> {
+    let mut items: Vec<Item> = Vec::new();
+    let mut put = |text: Text, places: &[(f64, DVec2)]| {
+        if let Some((_, middle)) = room.best(&text, places, OFF_LINES) {
+            let text = centered(&text, middle);
+            room.take(text.bounds());
+            items.push(text.into());
+        }
+    };
+    for (element, letters, p) in seen_points(figure) {
+        let around = (0..).map(f64::from).zip(DISTANCES).flat_map(|(step, distance)| {
+            (0..).map(f64::from).zip(AROUND).map(move |(rank, side)| (1.5 * step + 0.3 * rank, p + distance * side))
+        });
+        put(text(figure, element, letters), &around.collect::<Vec<_>>());
+    }
+    for element in &figure.optics.elements {
+        for (k, (letters, p)) in element.planes.iter().enumerate() {
+            // H stands where the light comes from, H′ where it goes.
+            let along = figure.frame.turn(element.axis.direction) * if k == 0 { -1.0 } else { 1.0 };
+            let [upper, lower] = plane(figure, element, *p);
+            let text = text(figure, element, letters);
+            let places = [(upper, -1.0), (lower, 1.0)].into_iter().enumerate().flat_map(|(end, (tip, out))| {
+                (0..).map(f64::from).zip([3.0, -4.0, 9.0, 16.0, -12.0]).flat_map(move |(step, inward)| {
+                    [11.0, 16.0, 22.0].map(move |aside| {
+                        let cost = 3.0 * f64::from(u32::from(end == 1)) + step + 0.1 * aside;
+                        (cost, tip + aside * along - DVec2::new(0.0, out * inward))
+                    })
+                })
+            });
+            put(text, &places.collect::<Vec<_>>());
+        }
+    }
+    items
+}
+
+fn text(figure: &Figure<'_>, element: &Element, letters: &str) -> Text {
+    let letter = letters.trim_end_matches('′');
+    let text = Text::new(letter, DVec2::ZERO, SIZE, figure.palette.ink).anchored(Anchor::Middle).in_font(Font::Oblique);
+    let text = element.number.map_or(text.clone(), |number| text.subscript(&number.to_string()));
+    (if letter == letters { text } else { text.then("′") }).classed("cardinal")
+}
