@@ -11,12 +11,14 @@ mod coincidence;
 mod crowd;
 mod extensions;
 mod frame;
+mod generations;
 mod grid;
 mod header;
 mod hits;
 mod key;
 mod labels;
 mod legend;
+mod margins;
 mod nice;
 mod normals;
 mod notes;
@@ -43,11 +45,13 @@ use crate::trace::RayTree;
 use branches::{Branch, Sight};
 use crowd::Crowd;
 use frame::Frame;
+use generations::{Aged, by_generation, together};
 use key::Entry;
 use palette::Palette;
 use room::Room;
 use styles::Styles;
 
+pub use margins::Margins;
 pub use statistics::Statistics;
 
 /// Everything that the marks look at.
@@ -75,7 +79,21 @@ pub fn draw(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Drawing {
 /// The same as [`draw`], and what it shows and spares.
 #[must_use]
 pub fn draw_counted(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> (Drawing, Statistics) {
-    laid_out(scene, system, tree, false)
+    draw_within(scene, system, tree, Margins::default())
+}
+
+/// The same with as much room for the words above and below the scene as these margins have, where it takes less: figures of one
+/// size and the same margins have their scenes at one height, and with one view at one scale.
+#[must_use]
+pub fn draw_within(scene: &Scene, system: &OpticalSystem, tree: &RayTree, margins: Margins) -> (Drawing, Statistics) {
+    let (drawing, statistics, _) = laid_out(scene, system, tree, margins, false);
+    (drawing, statistics)
+}
+
+/// The room that a scene's figure takes for words.
+#[must_use]
+pub fn margins(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Margins {
+    laid_out(scene, system, tree, Margins::default(), false).2
 }
 
 /// `everywhere` draws segments outside the view too, to see that they make no difference.
@@ -83,18 +101,20 @@ pub(crate) fn laid_out(
     scene: &Scene,
     system: &OpticalSystem,
     tree: &RayTree,
+    least: Margins,
     everywhere: bool,
-) -> (Drawing, Statistics) {
+) -> (Drawing, Statistics, Margins) {
     let palette = Palette::of(scene.diagram.theme);
     let (header, top) = header::header(scene, &palette);
+    let top = top.max(least.top);
     // What stands below the scene takes room from it, so that more of it may have to stand there.
     // A legend of one line is expected where it will be needed, so that most figures are laid out once.
     let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
-    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }, is_expected);
+    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }.max(least.foot), is_expected);
     let (mut items, mut statistics) = loop {
         let (mut figure, statistics) = seen(scene, system, tree, area(scene, top, foot), everywhere);
         let (layers, below) = figure.layers(statistics.segments_below_faintest);
-        let taken = key::height(&below, figure.frame.area.size().x);
+        let taken = key::height(&below, figure.frame.area.size().x).max(least.foot);
         if taken <= foot && !(is_guess && taken < foot) {
             break (figure.with_key(layers, &below), statistics);
         }
@@ -109,7 +129,7 @@ pub(crate) fn laid_out(
         description: scene.caption.clone(),
         items,
     };
-    (drawing, statistics)
+    (drawing, statistics, Margins { top, foot })
 }
 
 /// What is seen of the scene in an area, before it is drawn.
@@ -140,7 +160,11 @@ impl Figure<'_> {
     fn layers(&mut self, spared: usize) -> (Vec<Item>, Vec<Entry>) {
         let crowd = std::mem::take(&mut self.crowd);
         let crowd_is_empty = crowd.is_empty();
-        let rays = if crowd_is_empty { rays::rays(self) } else { crowd };
+        // Very many branches are not told apart, and so have no generations.
+        let sorted = |layer: &str, items: Vec<Aged>| {
+            if crowd_is_empty { by_generation(layer, items) } else { together(items) }
+        };
+        let rays = if crowd_is_empty { sorted("rays", rays::rays(self)) } else { crowd };
         let settings = &self.scene.diagram;
         let normals = if settings.normals { normals::normals(self) } else { Vec::new() };
         let mut layers = vec![self.layer("bodies", bodies::bodies(self))];
@@ -154,13 +178,13 @@ impl Figure<'_> {
         let has_angles = settings.angles && crowd_is_empty;
         let (angles, below) = if has_angles { angles::angles(self, &mut room) } else { Default::default() };
         let words = labels::labels(self, &shapes, &mut room);
-        layers.push(self.layer("normals", normals));
-        layers.push(self.layer("extensions", extensions));
+        layers.push(self.layer("normals", sorted("normals", normals)));
+        layers.push(self.layer("extensions", sorted("extensions", extensions)));
         layers.push(self.layer("rays", rays));
         if settings.arrows {
-            layers.push(self.layer("arrows", arrows::arrows(self)));
+            layers.push(self.layer("arrows", sorted("arrows", arrows::arrows(self))));
         }
-        layers.push(Group::layer("angles", angles).into());
+        layers.push(Group::layer("angles", sorted("angles", angles)).into());
         layers.push(self.layer("sources", sources::sources(self)));
         layers.push(self.layer("labels", words));
         layers.push(Group::layer("notes", notes::notes(self)).into());

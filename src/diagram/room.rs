@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::diagram::frame::clip;
+use crate::diagram::generations::Aged;
 use crate::diagram::{Figure, notes};
 use crate::drawing::{Item, PathStep, Rect, Text, pixel};
 
@@ -24,9 +25,9 @@ pub(super) struct Room {
 
 impl Room {
     /// Words keep off each other and the author's notes, and off lines where they can: outlines, marks and rays.
-    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>, marks: &[&[Item]]) -> Self {
+    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>, marks: &[&[Aged]]) -> Self {
         let mut lines: Vec<[DVec2; 2]> = outlines.collect();
-        for item in marks.iter().copied().flatten() {
+        for (_, item) in marks.iter().copied().flatten() {
             if let Item::Shape(shape) = item
                 && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
             {
