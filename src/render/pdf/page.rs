@@ -149,7 +149,7 @@ impl<'a> Page<'a> {
             Anchor::End => text.at.x - text.width(),
         };
         self.content.begin_text();
-        for span in &text.spans {
+        for span in text.spans.iter().filter(|span| !span.text.is_empty()) {
             let size = text.span_size(span);
             let (x, y) = point(DVec2::new(left, text.at.y + text.drop(span)));
             let bytes = self.shared.fonts.encode(text.font, &span.text);
