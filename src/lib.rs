@@ -29,7 +29,7 @@
 //! # The way of a scene
 //!
 //! [`Scene`] (what the file says) → [`compile()`] → [`OpticalSystem`] (boundaries and ray starts) → [`trace()`] →
-//! [`RayTree`] → [`report`] (text, JSON, CSV), [`explain`] (worked solutions) and [`diagram`] → [`drawing`] → [`render`] (SVG, PNG). A module uses only
+//! [`RayTree`] → [`report`] (text, JSON, CSV), [`explain`] (worked solutions) and [`diagram`] → [`drawing`] → [`render`] (SVG, PNG, PDF with the feature `pdf`). A module uses only
 //! modules that come before it. [`summarize`] keeps no tree, and a [`Visitor`] of one's own sees every segment as it comes.
 //!
 //! # Units and signs

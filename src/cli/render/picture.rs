@@ -17,7 +17,7 @@ const MAX_SCALE: f32 = 16.0;
 /// How pictures are made.
 #[derive(Args)]
 pub(super) struct Look {
-    /// Width and height of the figure in pixels, such as 1280x720, in place of the scene's own.
+    /// Width and height of the picture in pixels, such as 1280x720, in place of the scene's own.
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub(super) size: Option<[u32; 2]>,
     /// Pixels of a PNG to a pixel of the figure: 2 for screens with fine pixels.
