@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::diagram::arc::{OFF_LINES, arc, beside, is_right, square, stroked};
+use crate::diagram::generations::Aged;
 use crate::diagram::hits::{Case, MarkedHit};
 use crate::diagram::room::{Room, centered};
 use crate::diagram::{Figure, key};
@@ -22,32 +23,53 @@ const NEAR_CRITICAL: f64 = 0.6;
 /// Radius of the ring around a number, pixels.
 const RING: f64 = 7.0;
 
-/// The marks, a group a hit, and what stands below the figure for the hits that are only numbered.
-pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> (Vec<Item>, Vec<Text>) {
+/// The marks, a group a hit for the light that arrives and one for the light that leaves, and what stands below the figure
+/// for the hits that are only numbered.
+pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
     let mut groups = Vec::new();
     let mut unlabelled = Vec::new();
     for (place, hit) in hits.iter().enumerate() {
         let is_crowded = hits[..place].iter().any(|other| (other.at - hit.at).length() < 2.0 * RADIUS);
         let drawer = Drawer::new(figure, hit);
-        let mut items = if is_crowded { Vec::new() } else { drawer.lines(room) };
+        let mut marks = if is_crowded { Marks::default() } else { drawer.lines(room) };
         let values = if is_crowded { None } else { drawer.values(room) };
         match values {
-            Some(values) => items.extend(values.into_iter().map(Item::from)),
+            Some((first, second)) => {
+                marks.arriving.push(first.into());
+                marks.leaving.extend(second.map(Item::from));
+            }
             None => unlabelled.push(place),
         }
-        groups.push(items);
+        groups.push(marks);
     }
     let mut below = Vec::new();
     for (number, place) in (1..).zip(unlabelled) {
         let drawer = Drawer::new(figure, &hits[place]);
-        groups[place].extend(drawer.number(number, room));
+        groups[place].arriving.extend(drawer.number(number, room));
         below.push(drawer.line_below(number));
     }
-    let group = |(hit, items): (&MarkedHit<'_>, Vec<Item>)| {
-        let data = vec![("data-address", hit.branch.address())];
-        Group { data, ..Group::layer("angle", items) }.into()
-    };
-    (hits.iter().zip(groups).map(group).collect(), below)
+    (hits.iter().zip(groups).flat_map(|(hit, marks)| marks.grouped(hit)).collect(), below)
+}
+
+/// Marks of one hit.
+#[derive(Default)]
+struct Marks {
+    /// Of the light that arrives there.
+    arriving: Vec<Item>,
+    /// Of the light that leaves it, which is shown when that is.
+    leaving: Vec<Item>,
+}
+
+impl Marks {
+    fn grouped(self, hit: &MarkedHit<'_>) -> impl Iterator<Item = Aged> {
+        let generation = hit.branch.generation();
+        let address = hit.branch.address();
+        let groups = [(generation, self.arriving), (generation.saturating_add(1), self.leaving)].into_iter();
+        groups.filter(|(_, items)| !items.is_empty()).map(move |(generation, items)| {
+            let data = vec![("data-address", address.clone())];
+            (generation, Group { data, ..Group::layer("angle", items) }.into())
+        })
+    }
 }
 
 /// Draws the marks of one hit.
@@ -70,26 +92,27 @@ impl<'a> Drawer<'a> {
     }
 
     /// Arcs and the lines that explain them.
-    fn lines(&self, room: &mut Room) -> Vec<Item> {
+    fn lines(&self, room: &mut Room) -> Marks {
         let MarkedHit { normal, back, reflected, transmitted, along, theta_1, case, .. } = *self.hit;
         let palette = &self.figure.palette;
-        let mut items = vec![self.arc(normal, back, self.color(), room)];
-        items.extend(reflected.map(|reflected| self.arc(normal, reflected, self.color(), room)));
-        items.extend(transmitted.map(|transmitted| self.arc(-normal, transmitted, palette.ink, room)));
+        let mut arriving = vec![self.arc(normal, back, self.color(), room)];
+        let mut leaving: Vec<Item> = Vec::new();
+        leaving.extend(reflected.map(|reflected| self.arc(normal, reflected, self.color(), room)));
+        leaving.extend(transmitted.map(|transmitted| self.arc(-normal, transmitted, palette.ink, room)));
         let dotted = |path| Shape::stroked(path, Stroke::solid(palette.accent, 1.0).dashed(&[1.5, 3.0]), "").into();
         match case {
             Case::Total(critical) | Case::Plain(Some(critical)) if theta_1 >= NEAR_CRITICAL * critical => {
                 let limit = self.aside(critical);
-                items.push(dotted(arc(self.hit.at, self.radius, back, limit)));
+                arriving.push(dotted(arc(self.hit.at, self.radius, back, limit)));
                 let tick = [-4.0, 4.0].map(|by| self.hit.at + (self.radius + by) * limit);
-                items.push(stroked(Path::line(tick[0], tick[1]), palette.accent));
+                arriving.push(stroked(Path::line(tick[0], tick[1]), palette.accent));
             }
-            Case::Critical => items.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along))),
+            Case::Critical => leaving.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along))),
             Case::Plain(_) | Case::Total(_) | Case::Mirror | Case::Brewster => {}
         }
-        items.extend(reflected.and_then(|reflected| self.right_angle(back, reflected)));
-        items.extend(reflected.zip(transmitted).and_then(|(one, other)| self.right_angle(one, other)));
-        items
+        leaving.extend(reflected.and_then(|reflected| self.right_angle(back, reflected)));
+        leaving.extend(reflected.zip(transmitted).and_then(|(one, other)| self.right_angle(one, other)));
+        Marks { arriving, leaving }
     }
 
     fn arc(&self, from: DVec2, to: DVec2, color: Color, room: &mut Room) -> Item {
@@ -109,21 +132,18 @@ impl<'a> Drawer<'a> {
         is_right(one, other).then(|| stroked(square(self.hit.at, SQUARE, one, other), self.color()))
     }
 
-    /// The values in their places; `None` where they do not fit.
-    fn values(&self, room: &mut Room) -> Option<Vec<Text>> {
-        let MarkedHit { normal, back, transmitted, .. } = *self.hit;
-        let mut values = vec![(normal + back, self.first(self.text("", self.color())))];
-        let second = |(theta, transmitted): (f64, DVec2)| {
-            (transmitted - normal, angle(self.text("", self.figure.palette.ink), "2", theta))
-        };
-        values.extend(self.hit.theta_2.zip(transmitted).map(second));
+    /// The values of the light that arrives and of that which goes through, in their places; `None` where they do not fit.
+    fn values(&self, room: &mut Room) -> Option<(Text, Option<Text>)> {
+        let MarkedHit { normal, back, transmitted, theta_2, .. } = *self.hit;
         let before = room.words();
-        let placed: Option<Vec<Text>> =
-            values.into_iter().map(|(toward, text)| self.beside(&text, toward, room)).collect();
-        if placed.is_none() {
+        let first = self.beside(&self.first(self.text("", self.color())), normal + back, room)?;
+        let Some((theta, transmitted)) = theta_2.zip(transmitted) else { return Some((first, None)) };
+        let second = angle(self.text("", self.figure.palette.ink), "2", theta);
+        let second = self.beside(&second, transmitted - normal, room);
+        if second.is_none() {
             room.forget(before);
         }
-        placed
+        Some((first, Some(second?)))
     }
 
     fn beside(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {

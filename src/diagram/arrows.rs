@@ -2,8 +2,9 @@ use glam::DVec2;
 
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
+use crate::diagram::generations::Aged;
 use crate::diagram::styles::{opacity, strength};
-use crate::drawing::{Fill, Item, Path, Shape};
+use crate::drawing::{Fill, Path, Shape};
 
 /// A shorter piece of ray has no arrowhead, pixels.
 const SHORTEST: f64 = 11.0;
@@ -22,10 +23,10 @@ const MOST_TRIED: usize = 4000;
 const PLACES: [f64; 3] = [0.5, 0.3, 0.7];
 
 /// Arrowheads past the middle of the branches, the strongest first, none on top of another.
-pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
+pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Aged> {
     let styles = &figure.styles;
     let mut heads: Vec<Head> = Vec::new();
-    let mut items = Vec::new();
+    let mut items: Vec<Aged> = Vec::new();
     let tried = figure.branches.iter().rev().take(MOST_TRIED);
     for branch in tried.filter(|branch| branch.arrow && branch.length() >= SHORTEST) {
         if heads.len() >= MOST {
@@ -36,7 +37,8 @@ pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
         let closed = branch.fan.is_some_and(|fan| fan.closed());
         let color = if closed { styles.together(branch) } else { styles.color(branch) };
         let fill = Fill { color, opacity: opacity(strength(branch.share)) };
-        items.push(Shape::filled(head.path(size(branch)), fill, "arrow").into());
+        let shape = Shape::filled(head.path(size(branch)), fill, "arrow");
+        items.push((branch.generation(), shape.into()));
         heads.push(head);
     }
     // The strongest lie on top.

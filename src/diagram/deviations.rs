@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use crate::diagram::arc::{arc, beside, is_right, square, stroked};
-use crate::diagram::branches::Branch;
+use crate::diagram::branches::{Branch, generation};
+use crate::diagram::generations::Aged;
 use crate::diagram::room::Room;
 use crate::diagram::{Figure, key};
 use crate::drawing::{Anchor, Group, Item, Path, Shape, Stroke, Text};
@@ -27,7 +28,7 @@ const SMALLEST: f64 = 0.05;
 const FAR: f64 = 4.0;
 
 /// The marks, and what stands below the figure for those without room for their value.
-pub(super) fn deviations(figure: &Figure<'_>, room: &mut Room) -> (Vec<Item>, Vec<Text>) {
+pub(super) fn deviations(figure: &Figure<'_>, room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
     let pairs = figure.scene.diagram.deviations.iter();
     let found = pairs.filter_map(|[first, second]| {
         let [first, second] = [find(figure.tree, first).ok()?, find(figure.tree, second).ok()?];
@@ -38,7 +39,7 @@ pub(super) fn deviations(figure: &Figure<'_>, room: &mut Room) -> (Vec<Item>, Ve
     for (place, deviation) in found.iter().enumerate() {
         let number = if found.len() > 1 { (place + 1).to_string() } else { String::new() };
         let (group, unplaced) = deviation.draw(figure, &number, room);
-        items.push(group);
+        items.push((deviation.generation, group));
         below.extend(unplaced);
     }
     (items, below)
@@ -66,6 +67,8 @@ pub fn problems(scene: &Scene, tree: &RayTree) -> Vec<Problem> {
 /// Two branches and where their lines meet. Directions are unit vectors of the figure.
 struct Deviation<'a> {
     name: String,
+    /// The second one's, or the first one's if that is later.
+    generation: u32,
     first: (&'a TracedRay, &'a Segment),
     /// Where the first branch ends, and where the second begins, pixels.
     ends: [DVec2; 2],
@@ -78,6 +81,7 @@ struct Deviation<'a> {
 impl<'a> Deviation<'a> {
     /// `None` if it is not in view.
     fn of(figure: &Figure<'_>, first: (&'a TracedRay, SegmentId), second: (&'a TracedRay, SegmentId)) -> Option<Self> {
+        let generation = generation(first.0, first.1).max(generation(second.0, second.1));
         let name = format!("{} {}", first.0.address(first.1), second.0.address(second.1));
         let [a, b] = [first, second].map(|(ray, id)| ray.segments.get(id.index()));
         let (a, b) = (a?, b?);
@@ -86,7 +90,15 @@ impl<'a> Deviation<'a> {
         let sine = cross(a.direction, b.direction);
         let degrees = atan2_degrees(sine.abs(), a.direction.dot(b.direction));
         let at = meeting(figure, ends, directions).unwrap_or(ends[1]);
-        figure.frame.area.contains(at).then_some(Self { name, first: (first.0, a), ends, at, directions, degrees })
+        figure.frame.area.contains(at).then_some(Self {
+            name,
+            generation,
+            first: (first.0, a),
+            ends,
+            at,
+            directions,
+            degrees,
+        })
     }
 
     fn radius(&self) -> f64 {

@@ -1,6 +1,7 @@
 use glam::DVec2;
 
 use crate::diagram::Figure;
+use crate::diagram::generations::Aged;
 use crate::diagram::hits::MarkedHit;
 use crate::diagram::room::{Room, centered};
 use crate::drawing::{Anchor, Cap, Item, Path, Shape, Stroke, Text};
@@ -19,7 +20,7 @@ const OUTSIDE: [f64; 3] = [11.0, 21.0, -21.0];
 
 /// Circles of degrees about marked hits, counted from both ends of the normal; of hits that stand close the one with the
 /// most light has one.
-pub(super) fn protractors(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> Vec<Item> {
+pub(super) fn protractors(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> Vec<Aged> {
     let side = figure.frame.area.size().min_element();
     let radius = (SHARE * side).clamp(RADII[0], RADII[1]);
     let mut chosen: Vec<&MarkedHit<'_>> = Vec::new();
@@ -28,7 +29,11 @@ pub(super) fn protractors(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mu
             chosen.push(hit);
         }
     }
-    chosen.into_iter().flat_map(|hit| protractor(figure, hit, radius, room)).collect()
+    let aged = |hit: &MarkedHit<'_>| {
+        let items = protractor(figure, hit, radius, room).into_iter();
+        items.map(|item| (hit.branch.generation(), item)).collect::<Vec<_>>()
+    };
+    chosen.into_iter().flat_map(aged).collect()
 }
 
 fn protractor(figure: &Figure<'_>, hit: &MarkedHit<'_>, radius: f64, room: &mut Room) -> Vec<Item> {

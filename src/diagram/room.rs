@@ -23,10 +23,10 @@ pub(super) struct Room {
 }
 
 impl Room {
-    /// Words keep off each other and the author's notes, and off lines where they can: outlines, marks and rays.
-    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>, marks: &[&[Item]]) -> Self {
+    /// Words keep off each other and the author's notes, and off lines where they can: outlines, rays and marks, which are
+    /// [added](Self::keep_off_item).
+    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>) -> Self {
         let mut lines: Vec<[DVec2; 2]> = outlines.collect();
-        lines.extend(marks.iter().copied().flatten().filter_map(straight));
         lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
         let notes = notes::notes(figure).into_iter();
         let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use crate::diagram::branches::{Branch, letters};
+use crate::diagram::generations::Aged;
 use crate::diagram::{Figure, nice};
-use crate::drawing::{Cap, Color, Item, Path, Shape, Stroke};
+use crate::drawing::{Cap, Color, Path, Shape, Stroke};
 use crate::scene::{Light, Substance, Surface};
 
 /// Half the length of a mark across its ray, pixels.
@@ -32,7 +33,7 @@ type Front = (usize, u64, u64, Color);
 
 /// A short line across each ray at every multiple of the step, those of neighboring rays joined. Too many are not drawn, and
 /// none behind an ideal lens, which has no optical path of its own.
-pub(super) fn wavefronts(figure: &Figure<'_>) -> Vec<Item> {
+pub(super) fn wavefronts(figure: &Figure<'_>) -> Vec<Aged> {
     let Some(step) = figure.scene.diagram.wavefronts else { return Vec::new() };
     let mut fronts: BTreeMap<Front, Vec<Mark>> = BTreeMap::new();
     let mut count = 0;
@@ -47,7 +48,7 @@ pub(super) fn wavefronts(figure: &Figure<'_>) -> Vec<Item> {
             fronts.entry(front).or_default().push(mark);
         }
     }
-    fronts.into_iter().map(|((source, _, _, color), marks)| drawn(&marks, last_ray(figure, source), color)).collect()
+    fronts.iter().flat_map(|((source, _, _, color), marks)| drawn(marks, last_ray(figure, *source), *color)).collect()
 }
 
 /// The marks on a branch, each with its optical path from the source.
@@ -65,17 +66,28 @@ fn marks(figure: &Figure<'_>, branch: &Branch<'_>, step: f64) -> Vec<(f64, Mark)
     nice::multiples(step, near, far).into_iter().map(mark).collect()
 }
 
-/// One wavefront: its marks, and the lines between those of neighboring rays that took the same path or are one hit apart.
-fn drawn(marks: &[Mark], last: Option<usize>, color: Color) -> Item {
-    let mut path = Path::new();
+/// One wavefront, a path a generation: its marks, and the lines between those of neighboring rays that took the same path or are
+/// one hit apart.
+fn drawn(marks: &[Mark], last: Option<usize>, color: Color) -> Vec<Aged> {
+    let mut paths: BTreeMap<u32, Path> = BTreeMap::new();
+    let mut add = |generation: u32, line: Path| paths.entry(generation).or_default().append(line);
     for (place, mark) in marks.iter().enumerate() {
         let across = HALF * mark.along.perp();
-        path.append(Path::line(mark.at - across, mark.at + across));
+        add(mark.generation(), Path::line(mark.at - across, mark.at + across));
         for other in marks.iter().skip(place + 1).filter(|other| are_neighbors(mark, other, last)) {
-            path.append(Path::line(mark.at, other.at));
+            add(mark.generation().max(other.generation()), Path::line(mark.at, other.at));
         }
     }
-    Shape::stroked(path, Stroke::solid(color, 1.1).capped(Cap::Butt).faded(0.6), "wavefront").into()
+    let stroke = Stroke::solid(color, 1.1).capped(Cap::Butt).faded(0.6);
+    let shape = |(generation, path)| (generation, Shape::stroked(path, stroke.clone(), "wavefront").into());
+    paths.into_iter().map(shape).collect()
+}
+
+impl Mark {
+    /// How many hits lie behind it.
+    fn generation(&self) -> u32 {
+        u32::try_from(self.path.len()).unwrap_or(u32::MAX)
+    }
 }
 
 fn are_neighbors(a: &Mark, b: &Mark, last: Option<usize>) -> bool {

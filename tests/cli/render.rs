@@ -25,8 +25,8 @@ fn render_to_a_file_follows_its_extension() {
     assert_png(&fs::read(place.path("x.PNG")).unwrap());
     assert_eq!(place.run(&["render", "a.ron", "-o", "picture", "--format", "png"]).clean(), "picture\n");
     assert_png(&fs::read(place.path("picture")).unwrap());
-    place.run(&["render", "a.ron", "-o", "x.pdf"]).refused("neither svg nor png");
-    place.run(&["render", "a.ron", "-o", "x"]).refused("neither svg nor png");
+    place.run(&["render", "a.ron", "-o", "x.gif"]).refused("none of svg, png and pdf");
+    place.run(&["render", "a.ron", "-o", "x"]).refused("none of svg, png and pdf");
     assert_eq!(place.files(), ["a.ron", "picture", "x.PNG", "x.svg"]);
 }
 
