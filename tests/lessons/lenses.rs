@@ -18,6 +18,7 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("lenses/beam-expander", systems::the_beam_leaves_parallel_and_three_times_as_wide),
     ("lenses/biconcave", singlets::a_biconcave_lens_has_a_virtual_focus),
     ("lenses/biconvex", singlets::a_biconvex_lens_focuses_where_the_lensmaker_says),
+    ("lenses/caustic-on-screen", aberrations::the_screen_is_brightest_where_it_cuts_the_caustic),
     ("lenses/chromatic-aberration", aberrations::blue_crosses_before_red),
     ("lenses/cooke-triplet", systems::three_fields_pass_the_stop_and_are_sharp),
     ("lenses/depth-of-field", systems::only_the_far_point_is_sharp_on_the_film),
