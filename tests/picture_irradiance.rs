@@ -174,9 +174,29 @@ fn screens_that_do_not_stand_upright_come_one_below_the_other() {
     assert!(wall[0].y < wall[1].y && wall[0].x == wall[1].x);
 }
 
+/// Two upright screens, the second partly at the heights of the first.
+const SIDE_BY_SIDE: &str = "(
+    bodies: [
+        (name: \"near\", shape: Flat(from: (20, -10), to: (20, 2)), surface: Screen),
+        (name: \"far\", shape: Flat(from: (40, -1), to: (40, 12)), surface: Screen),
+    ],
+    sources: [(light: Beam(center: (-40, 0), direction: Angle(0), width: 20, rays: 60))],
+)";
+
+#[test]
+fn curves_of_screens_at_the_same_heights_stand_apart() {
+    let drawing = figure(SIDE_BY_SIDE);
+    let axes: Vec<_> = plots(&drawing).iter().map(|plot| bounds(&points(shapes(&plot.items, "axis")[0]))).collect();
+    assert_eq!(axes.len(), 2);
+    assert!(axes[0].max.y + 20.0 < axes[1].min.y, "{axes:?}");
+}
+
 #[test]
 fn no_words_overlap_or_leave_the_figure() {
+    let dim = beam(40, "").replace("rays: 40)", "rays: 40), power: 0.002");
     let scenes = [
+        run_text(SIDE_BY_SIDE).scene,
+        run_text(&dim).scene,
         run_text(MIXED).scene,
         run_text(&beam(40, "grid: true, scale_bar: true")).scene,
         run("prisms/hydrogen-lines").scene,

@@ -1,6 +1,6 @@
 //! Images of a source, element by element.
 
-use crate::analysis::bundle::{Bundle, BundleRay, Focus, child};
+use crate::analysis::bundle::{Bundle, BundleRay, Focus};
 use crate::light::Wavelength;
 use crate::trace::{RayTree, Segment, TracedRay};
 
@@ -32,6 +32,7 @@ pub fn images(tree: &RayTree, source: usize) -> Vec<Image> {
 
 fn images_at(rays: &[&TracedRay], wavelength: Wavelength) -> Vec<Image> {
     let rays: Vec<&TracedRay> = rays.iter().filter(|ray| ray.wavelength == wavelength).copied().collect();
+    let children: Vec<Vec<Vec<&Segment>>> = rays.iter().map(|ray| ray.children()).collect();
     let starts: Option<Vec<&Segment>> = rays.iter().map(|ray| ray.segments.first()).collect();
     let mut waiting: Vec<(String, Vec<&Segment>)> = starts.map(|starts| (String::new(), starts)).into_iter().collect();
     let mut images = Vec::new();
@@ -43,7 +44,10 @@ fn images_at(rays: &[&TracedRay], wavelength: Wavelength) -> Vec<Image> {
         }
         // The last in is the first out.
         for letter in ['i', 'r', 't'] {
-            let next = rays.iter().zip(&segments).map(|(ray, segment)| child(ray, segment.id, letter));
+            let next = children.iter().zip(&segments).map(|(children, segment)| {
+                let children = children.get(segment.id.index())?;
+                children.iter().find(|next| next.via.letter() == Some(letter)).copied()
+            });
             let next: Option<Vec<&Segment>> = next.collect();
             waiting.extend(next.map(|next| (format!("{path}{letter}"), next)));
         }

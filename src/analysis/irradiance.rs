@@ -13,7 +13,7 @@ const PARTS: usize = 240;
 /// Irradiance along a screen.
 ///
 /// Rays are samples of a beam. Each stands for the light half way to its neighbors: rays with consecutive numbers of one source and
-/// one line that came by the same hits. Its power is spread evenly over the stretch of the screen between the middles of the
+/// one line that came by hits at the same bodies. Its power is spread evenly over the stretch of the screen between the middles of the
 /// ways to their two landing points, on the outer side of the last ray as far as on its inner one, and at its point where it
 /// has no neighbor. So a smooth beam has a smooth curve however few rays show it, light that folds over itself adds up, and no
 /// power is lost or made: of each line, the sum of value times width over all parts is the power that landed, up to rounding. What
@@ -58,24 +58,28 @@ impl Irradiance {
     }
 }
 
+/// What landed on a screen: by the bits of the wavelength, which for numbers above 0 sort as these do, and by the way.
+type Lines = BTreeMap<u64, (Wavelength, BTreeMap<Way, Vec<Landed>>)>;
+
 /// The irradiance on every screen, in the bodies' order, hit or not. `tree` must come from `system`.
 #[must_use]
 pub fn irradiance(system: &OpticalSystem, tree: &RayTree) -> Vec<Irradiance> {
-    system.screens.iter().map(|&body| on_screen(system, tree, body)).collect()
+    let mut screens: BTreeMap<usize, Lines> = system.screens.iter().map(|&body| (body, Lines::new())).collect();
+    for (ray, segment) in tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment))) {
+        let Some(hit) = segment.hit.filter(|_| segment.ending == Ending::Detected) else { continue };
+        let (Some(lines), Some(position)) = (screens.get_mut(&hit.body), hit.position) else { continue };
+        let bits = ray.wavelength.nanometers().to_bits();
+        let (_, ways) = lines.entry(bits).or_insert_with(|| (ray.wavelength, BTreeMap::new()));
+        let landed = Landed { ray: ray.ray, position, power: segment.power.total() };
+        ways.entry(way(ray, segment)).or_default().push(landed);
+    }
+    screens.into_iter().map(|(body, lines)| on_screen(system, body, lines)).collect()
 }
 
-fn on_screen(system: &OpticalSystem, tree: &RayTree, body: usize) -> Irradiance {
+fn on_screen(system: &OpticalSystem, body: usize, lines: Lines) -> Irradiance {
     let outline = system.bodies.get(body).and_then(|body| body.outlines.first());
     let length = outline.map_or(0.0, |outline| outline.curves.iter().map(|curve| curve.length()).sum());
     let is_closed = outline.is_some_and(|outline| outline.closed);
-    let mut lines: BTreeMap<u64, (Wavelength, BTreeMap<Way, Vec<Landed>>)> = BTreeMap::new();
-    for (ray, segment) in tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment))) {
-        let Some(landed) = landed(ray, segment, body) else { continue };
-        // Positive numbers sort as their bits do.
-        let line = lines.entry(ray.wavelength.nanometers().to_bits());
-        let (_, ways) = line.or_insert_with(|| (ray.wavelength, BTreeMap::new()));
-        ways.entry(way(ray, segment)).or_default().push(landed);
-    }
     let hits = lines.values().flat_map(|(_, ways)| ways.values()).map(Vec::len).sum();
     let curves = lines.into_values().map(|(wavelength, ways)| {
         let mut parts = Parts::new(length);
@@ -86,11 +90,6 @@ fn on_screen(system: &OpticalSystem, tree: &RayTree, body: usize) -> Irradiance 
         Curve { wavelength, values: parts.values() }
     });
     Irradiance { body, length, hits, curves: curves.collect() }
-}
-
-fn landed(ray: &TracedRay, segment: &Segment, body: usize) -> Option<Landed> {
-    let hit = segment.hit.filter(|hit| segment.ending == Ending::Detected && hit.body == body)?;
-    Some(Landed { ray: ray.ray, position: hit.position?, power: segment.power.total() })
 }
 
 fn way(ray: &TracedRay, segment: &Segment) -> Way {

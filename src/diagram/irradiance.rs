@@ -84,7 +84,8 @@ fn aligned<'a>(figure: &'a Figure<'a>, screen: &'a Irradiance) -> Option<Plot<'a
         return None;
     }
     let shown = ends.map(|y| screen.length * ((y - from.y) / across.y));
-    Some(Plot { figure, screen, is_upright: true, shown, ends, area: area(figure, top, bottom) })
+    let plot = Plot { figure, screen, is_upright: true, shown, ends, area: area(figure, top, bottom), most: 0.0 };
+    Some(plot.measured())
 }
 
 fn are_apart(plots: &[Plot<'_>]) -> bool {
@@ -114,7 +115,7 @@ fn one_below_the_other<'a>(figure: &'a Figure<'a>, screens: &'a [Irradiance]) ->
             (false, true) => [min.x, max.x],
             (false, false) => [max.x, min.x],
         };
-        Some(Plot { figure, screen, is_upright, shown: lit(screen), ends, area })
+        Some(Plot { figure, screen, is_upright, shown: lit(screen), ends, area, most: 0.0 }.measured())
     });
     plots.collect()
 }
@@ -140,9 +141,17 @@ struct Plot<'a> {
     ends: [f64; 2],
     /// Where the curve stands, without words and numbers.
     area: Rect,
+    /// The largest value that is shown.
+    most: f64,
 }
 
 impl Plot<'_> {
+    /// The same with its largest value.
+    fn measured(self) -> Self {
+        let values = self.screen.curves.iter().flat_map(|curve| self.parts(curve)).map(|(_, value)| value);
+        Self { most: values.fold(f64::MIN_POSITIVE, f64::max), ..self }
+    }
+
     fn items(&self) -> Vec<Item> {
         let lines = self.screen.curves.iter().map(|curve| Group::layer("", self.curve(curve)).into()).collect();
         let add_up = self.figure.styles.add_up().then_some(Whole { opacity: 1.0, adds_up: true });
@@ -159,7 +168,7 @@ impl Plot<'_> {
         let ([first, last], [begin, end]) = (self.shown, self.ends);
         let along = begin + (position - first) / (last - first) * (end - begin);
         let Rect { min, max } = self.area;
-        let level = value / self.most();
+        let level = value / self.most;
         if self.is_upright {
             DVec2::new(min.x + level * (max.x - min.x), along)
         } else {
@@ -172,12 +181,6 @@ impl Plot<'_> {
         let [low, high] = [self.shown[0].min(self.shown[1]), self.shown[0].max(self.shown[1])];
         let cut = move |(part, value): ([f64; 2], f64)| (part.map(|position| position.clamp(low, high)), value);
         self.screen.parts(curve).map(cut).filter(|([begin, end], _)| begin < end)
-    }
-
-    /// The largest value that is shown.
-    fn most(&self) -> f64 {
-        let values = self.screen.curves.iter().flat_map(|curve| self.parts(curve)).map(|(_, value)| value);
-        values.fold(f64::MIN_POSITIVE, f64::max)
     }
 
     /// A line's curve in steps, filled.
@@ -220,7 +223,7 @@ impl Plot<'_> {
 
     /// The line of a round value across the plot, and its number, with its unit below it where values run up.
     fn value(&self, words: &mut Vec<Text>) -> Option<Item> {
-        let value = nice::at_most(self.most())?;
+        let value = nice::at_most(self.most)?;
         let [from, to] = self.shown.map(|position| self.at(position, value));
         let number = nice::label(value);
         if self.is_upright {

@@ -50,7 +50,8 @@ pub fn brightest(tree: &RayTree) -> Vec<(&TracedRay, SegmentId)> {
 
 fn brightest_end(ray: &TracedRay) -> SegmentId {
     let stronger = |first: &'_ Segment, second: &'_ Segment| second.power.total() > first.power.total();
-    let brightest: Vec<Option<&Segment>> = children_of_all(ray)
+    let brightest: Vec<Option<&Segment>> = ray
+        .children()
         .into_iter()
         .map(|children| children.into_iter().reduce(|a, b| if stronger(a, b) { b } else { a }))
         .collect();
@@ -74,7 +75,7 @@ pub fn find<'a>(tree: &'a RayTree, address: &str) -> Result<(&'a TracedRay, Segm
     let Some(ray) = tree.rays.iter().find(|ray| ray.name() == name) else {
         return Err(unknown(format!("the scene has no '{name}'"), close_names(tree, name)));
     };
-    let children = children_of_all(ray);
+    let children = ray.children();
     let mut end = SegmentId(0);
     for letter in path.chars() {
         let next = children.get(end.index()).map_or(&[][..], Vec::as_slice);
@@ -86,17 +87,6 @@ pub fn find<'a>(tree: &'a RayTree, address: &str) -> Result<(&'a TracedRay, Segm
         end = taken.id;
     }
     Ok((ray, end))
-}
-
-/// The segments that begin where each one ends, by its place.
-fn children_of_all(ray: &TracedRay) -> Vec<Vec<&Segment>> {
-    let mut children = vec![Vec::new(); ray.segments.len()];
-    for segment in &ray.segments {
-        if let Some(siblings) = segment.parent.and_then(|parent| children.get_mut(parent.index())) {
-            siblings.push(segment);
-        }
-    }
-    children
 }
 
 /// The addresses of the rays with the names closest to one: first by SOURCE.RAY, then by the wavelength.

@@ -201,6 +201,17 @@ impl TracedRay {
         format!("{}:{path}", self.name())
     }
 
+    /// The segments that begin where each one ends, by its place.
+    pub(crate) fn children(&self) -> Vec<Vec<&Segment>> {
+        let mut children = vec![Vec::new(); self.segments.len()];
+        for segment in &self.segments {
+            if let Some(siblings) = segment.parent.and_then(|parent| children.get_mut(parent.index())) {
+                siblings.push(segment);
+            }
+        }
+        children
+    }
+
     /// The first part of the address: `SOURCE.RAY`, and `@NM` where the source has several lines.
     #[must_use]
     pub fn name(&self) -> String {

@@ -108,6 +108,18 @@ fn no_light_between_what_two_bodies_made_of_a_beam() {
     assert_eq!(value(&screens[0], 30.1), 0.0);
 }
 
+/// What a stop takes out of a beam is missing on the screen.
+#[test]
+fn the_shadow_of_a_stop_is_dark() {
+    let stop = "(shape: Flat(from: (20, -3), to: (20, 3)), surface: Absorber)";
+    let light = "(light: Beam(center: (0, 0), direction: Angle(0), width: 20, rays: 41))";
+    let (screens, _) = screens(&format!("{SCREEN}, {stop}"), light);
+    for x in [-2.5, 0.0, 2.5] {
+        assert_eq!(value(&screens[0], 30.0 + x), 0.0);
+    }
+    close(value(&screens[0], 35.0), 2.0 / 41.0, 1e-12, "beside the shadow");
+}
+
 /// On a closed screen the last ray before its first point and the next behind it are no neighbors all round.
 #[test]
 fn light_over_the_seam_of_a_closed_screen_stays_there() {

@@ -143,6 +143,16 @@ fn some_bodies_as_if_the_rest_were_not_there() {
     assert_ne!(only(&[0, 1, 2]).unwrap().focal_points, only(&[0]).unwrap().focal_points);
     assert_eq!(only(&[2]), None, "a slab has no power");
     assert_eq!(only(&[7]), None);
+    let in_water = system(
+        "(shape: Disk(10), medium: Index(1.5)), (shape: Rectangle(60, 30), at: (60, 0), medium: Index(1.33)),
+        (shape: Disk(5), at: (60, 0), medium: Index(1.5))",
+    );
+    assert_eq!(paraxial_of(&in_water, &[2], AXIS, Wavelength::D).unwrap().indices, [1.33, 1.33]);
+    assert_eq!(
+        paraxial_of(&in_water, &[0, 2], AXIS, Wavelength::D),
+        None,
+        "air behind the one, water before the other"
+    );
     let behind_ball = Axis { from: DVec2::new(20.0, 0.0), ..AXIS };
     let lens = only(&[1]).unwrap();
     assert_eq!(paraxial_of(&all, &[0, 1], behind_ball, Wavelength::D), Some(lens), "the light starts behind the ball");
