@@ -17,6 +17,10 @@ const COINCIDENT: f64 = 1.0;
 const OFF_LINES: f64 = 3.0;
 /// How far from its point the middle of a letter is sought, pixels.
 const DISTANCES: [f64; 6] = [13.0, 17.0, 22.0, 29.0, 38.0, 50.0];
+/// How far aside of the end of a principal plane, pixels.
+const ASIDE: [f64; 3] = [11.0, 16.0, 22.0];
+/// How far beyond that end, pixels.
+const OUTWARD: [f64; 5] = [-3.0, 4.0, -9.0, -16.0, 12.0];
 /// Where it is sought around the point: below first, since objects stand above the axis.
 const AROUND: [DVec2; 8] = [
     DVec2::new(0.0, 1.0),
@@ -86,29 +90,36 @@ pub(super) fn letters(figure: &Figure<'_>, room: &mut Room) -> Vec<Item> {
         }
     };
     for (p, names) in seen_points(figure) {
-        let around = (0..).map(f64::from).zip(DISTANCES).flat_map(|(step, distance)| {
-            (0..).map(f64::from).zip(AROUND).map(move |(rank, side)| (1.5 * step + 0.3 * rank, p + distance * side))
-        });
-        put(text(figure, &names), &around.collect::<Vec<_>>());
+        put(text(figure, &names), &around(p));
     }
     for element in &figure.optics.elements {
         for (k, (letters, p)) in element.planes.iter().enumerate() {
             // H stands where the light comes from, H′ where it goes.
             let along = figure.frame.turn(element.axis.direction) * if k == 0 { -1.0 } else { 1.0 };
-            let [upper, lower] = plane(figure, element, *p);
-            let text = text(figure, &[(element, *letters)]);
-            let places = [(upper, -1.0), (lower, 1.0)].into_iter().enumerate().flat_map(|(end, (tip, out))| {
-                (0..).map(f64::from).zip([3.0, -4.0, 9.0, 16.0, -12.0]).flat_map(move |(step, inward)| {
-                    [11.0, 16.0, 22.0].map(move |aside| {
-                        let cost = 3.0 * f64::from(u32::from(end == 1)) + step + 0.1 * aside;
-                        (cost, tip + aside * along - DVec2::new(0.0, out * inward))
-                    })
-                })
-            });
-            put(text, &places.collect::<Vec<_>>());
+            put(text(figure, &[(element, *letters)]), &beside_ends(plane(figure, element, *p), along));
         }
     }
     items
+}
+
+/// Middles of places around a point, from the nearest.
+fn around(p: DVec2) -> Vec<(f64, DVec2)> {
+    let places = (0..).map(f64::from).zip(DISTANCES).flat_map(|(step, distance)| {
+        (0..).map(f64::from).zip(AROUND).map(move |(rank, side)| (1.5 * step + 0.3 * rank, p + distance * side))
+    });
+    places.collect()
+}
+
+/// Middles of places on one side of the two ends of a plane, those at the upper end first.
+fn beside_ends([upper, lower]: [DVec2; 2], side: DVec2) -> Vec<(f64, DVec2)> {
+    let out = (upper - lower).normalize_or_zero();
+    let ends = [(0.0, upper, out), (3.0, lower, -out)];
+    let places = ends.into_iter().flat_map(|(cost, end, out)| {
+        (0..).map(f64::from).zip(OUTWARD).flat_map(move |(step, outward)| {
+            ASIDE.map(|aside| (cost + step + 0.1 * aside, end + aside * side + outward * out))
+        })
+    });
+    places.collect()
 }
 
 /// One or several names, such as F₁′, F₂.
