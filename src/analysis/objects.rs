@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::analysis::bundle::{Bundle, BundleRay, Focus, ImageKind, child};
+use crate::analysis::bundle::{Bundle, BundleRay, Focus, ImageKind};
 use crate::system::{OpticalSystem, PlacedObject, PlacedSource};
 use crate::trace::{RayTree, Segment, SegmentId, TracedRay, trace};
 
@@ -54,8 +54,8 @@ pub fn object_images(system: &OpticalSystem, tree: &RayTree) -> Vec<ObjectImage>
     let probes = trace(&probing(system, objects().map(|(_, source, object)| (source, object)))).tree;
     let search = |(number, (source, placed, object)): (usize, (usize, &PlacedSource, PlacedObject))| {
         let own = middle_line(of_source(tree, source), placed);
-        let traced = own.iter().filter_map(|place| tree.rays.get(*place)).collect();
-        let probes = of_source(&probes, number).filter_map(|place| probes.rays.get(place)).collect();
+        let traced = own.iter().filter_map(|place| tree.rays.get(*place)).map(Traced::new).collect();
+        let probes = of_source(&probes, number).filter_map(|place| probes.rays.get(place)).map(Traced::new).collect();
         Search { source, object, own, traced, probes }.images()
     };
     objects().enumerate().flat_map(search).collect()
@@ -92,8 +92,14 @@ struct Search<'a> {
     object: PlacedObject,
     /// Places of its rays in the tree, and the rays.
     own: Vec<usize>,
-    traced: Vec<&'a TracedRay>,
-    probes: Vec<&'a TracedRay>,
+    traced: Vec<Traced<'a>>,
+    probes: Vec<Traced<'a>>,
+}
+
+/// A ray, and what begins where each of its segments ends.
+struct Traced<'a> {
+    ray: &'a TracedRay,
+    children: Vec<Vec<&'a Segment>>,
 }
 
 /// A step of the way that several rays share.
@@ -107,12 +113,12 @@ struct Step<'a> {
 impl Search<'_> {
     fn images(&self) -> Vec<ObjectImage> {
         let way = common_way(&self.traced);
-        let mut probes: Vec<Option<&Segment>> = self.probes.iter().map(|ray| ray.segments.first()).collect();
+        let mut probes: Vec<Option<&Segment>> = self.probes.iter().map(|probe| probe.ray.segments.first()).collect();
         let mut images = Vec::new();
         for (k, step) in way.iter().enumerate() {
             let Some(from) = step.from else { continue };
-            for (probe, ray) in probes.iter_mut().zip(&self.probes) {
-                *probe = probe.and_then(|last| onward(ray, last, from));
+            for (last, probe) in probes.iter_mut().zip(&self.probes) {
+                *last = last.and_then(|last| probe.onward(last, from));
             }
             images.extend(self.image(step, k + 1 == way.len(), &probes));
         }
@@ -121,7 +127,7 @@ impl Search<'_> {
 
     /// The image that the segments of a step make, if any.
     fn image(&self, step: &Step<'_>, is_last: bool, probes: &[Option<&Segment>]) -> Option<ObjectImage> {
-        let Focus { at: tip, spread, kind } = focus(self.traced.iter().copied().zip(step.segments.iter().copied()))?;
+        let Focus { at: tip, spread, kind } = focus(self.traced.iter().zip(step.segments.iter().copied()))?;
         let gets_there = |segment: &&Segment| {
             let way = (tip - segment.from).length();
             segment.to.is_none_or(|to| way <= (1.0 + ROUNDING) * (to - segment.from).length())
@@ -155,18 +161,18 @@ impl Search<'_> {
             let foot_height = (foot - axis.vertices[0]).dot(across);
             return Some(beside + (tip - beside) * (foot_height / tip_height));
         }
-        let neighbors = self.probes.iter().copied().skip(1).zip([first?, second?]);
+        let neighbors = self.probes.iter().skip(1).zip([first?, second?]);
         focus(neighbors).map(|focus| focus.at)
     }
 }
 
-fn focus<'a>(segments: impl Iterator<Item = (&'a TracedRay, &'a Segment)>) -> Option<Focus> {
-    Bundle { rays: segments.map(|(ray, segment)| BundleRay::new(ray, segment)).collect() }.focus()
+fn focus<'a>(segments: impl Iterator<Item = (&'a Traced<'a>, &'a Segment)>) -> Option<Focus> {
+    Bundle { rays: segments.map(|(traced, segment)| BundleRay::new(traced.ray, segment)).collect() }.focus()
 }
 
 /// The steps of the way that all rays share, from their sources on.
-fn common_way<'a>(rays: &[&'a TracedRay]) -> Vec<Step<'a>> {
-    let first: Option<Vec<&Segment>> = rays.iter().map(|ray| ray.segments.first()).collect();
+fn common_way<'a>(rays: &[Traced<'a>]) -> Vec<Step<'a>> {
+    let first: Option<Vec<&Segment>> = rays.iter().map(|traced| traced.ray.segments.first()).collect();
     let first = first.map(|segments| Step { from: None, segments });
     let mut way: Vec<Step<'a>> = first.into_iter().collect();
     while let Some(next) = way.last().and_then(|last| strongest(rays, last)) {
@@ -176,18 +182,25 @@ fn common_way<'a>(rays: &[&'a TracedRay]) -> Vec<Step<'a>> {
 }
 
 /// The branch behind a step that all rays have and that has most of their light.
-fn strongest<'a>(rays: &[&'a TracedRay], step: &Step<'a>) -> Option<Step<'a>> {
+fn strongest<'a>(rays: &[Traced<'a>], step: &Step<'a>) -> Option<Step<'a>> {
     let body = step.segments.first()?.hit?.body;
     let power = |step: &Step<'_>| step.segments.iter().map(|segment| segment.power.total()).sum::<f64>();
     let ways = ['r', 'i', 't'].into_iter().filter_map(|letter| {
         let from = (letter, body);
-        let segments = rays.iter().zip(&step.segments).map(|(ray, last)| onward(ray, last, from));
+        let segments = rays.iter().zip(&step.segments).map(|(traced, last)| traced.onward(last, from));
         Some(Step { from: Some(from), segments: segments.collect::<Option<_>>()? })
     });
     ways.max_by(|a, b| power(a).total_cmp(&power(b)))
 }
 
-/// The branch that came of a segment's hit on a body in one way.
-fn onward<'a>(ray: &'a TracedRay, last: &Segment, (letter, body): (char, usize)) -> Option<&'a Segment> {
-    last.hit.filter(|hit| hit.body == body).and_then(|_| child(ray, last.id, letter))
+impl<'a> Traced<'a> {
+    fn new(ray: &'a TracedRay) -> Self {
+        Self { ray, children: ray.children() }
+    }
+
+    /// The branch that came of a segment's hit on a body in one way.
+    fn onward(&self, last: &Segment, (letter, body): (char, usize)) -> Option<&'a Segment> {
+        let children = self.children.get(last.id.index()).filter(|_| last.hit.is_some_and(|hit| hit.body == body))?;
+        children.iter().find(|next| next.via.letter() == Some(letter)).copied()
+    }
 }

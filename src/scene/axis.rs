@@ -1,6 +1,7 @@
 use glam::DVec2;
 
 use crate::geometry::{Curve, Placement};
+use crate::numerics::Turn;
 use crate::scene::{Body, Shape, Substance, Surface};
 
 /// How a body makes images.
@@ -36,36 +37,36 @@ impl Body {
     /// [`Shape::Flat`] or [`Shape::Arc`] the normal in the middle. `None` for other bodies, and where the numbers make no axis.
     #[must_use]
     pub fn optical_axis(&self) -> Option<OpticalAxis> {
-        let axis = match (&self.shape, &self.substance) {
-            (Shape::Lens { thickness, diameter, .. }, Substance::Medium(_)) => {
-                Some(lens([-0.5 * thickness, 0.5 * thickness], *diameter))
-            }
-            (Shape::LensGroup { diameter, surfaces }, _) => {
-                Some(lens([0.0, surfaces.iter().filter_map(|surface| surface.thickness).sum()], *diameter))
-            }
-            (Shape::Flat { from, to }, Substance::Surface(Surface::ThinLens { .. })) => {
-                Some(line(Imaging::ThinLens, *from, *to))
-            }
-            (Shape::Flat { from, to }, Substance::Surface(Surface::Mirror)) => {
-                Some(line(Imaging::FlatMirror, *from, *to))
-            }
-            (Shape::Arc { from, through, to }, Substance::Surface(Surface::Mirror)) => {
-                Some(Curve::arc(*from, *through, *to).map_or_else(|| line(Imaging::FlatMirror, *from, *to), arc))
-            }
-            _ => None,
-        }?;
+        let own = own_axis(&self.shape, &self.substance)?;
         let placement = Placement::new(self.rotate, self.at);
-        let direction = placement.point(axis.direction) - self.at;
-        let direction = if self.rotate == 0.0 { axis.direction } else { direction.normalize_or_zero() };
-        let vertices = axis.vertices.map(|vertex| placement.point(vertex));
-        let center = axis.center.map(|center| placement.point(center));
-        let sound = vertices.iter().all(|vertex| vertex.is_finite()) && axis.half_height > 0.0;
-        (sound && direction.is_finite() && direction != DVec2::ZERO).then_some(OpticalAxis {
-            vertices,
-            direction,
-            center,
-            ..axis
-        })
+        let axis = OpticalAxis {
+            vertices: own.vertices.map(|vertex| placement.point(vertex)),
+            direction: Turn::degrees(self.rotate).apply(own.direction),
+            center: own.center.map(|center| placement.point(center)),
+            ..own
+        };
+        let is_placed = axis.vertices.iter().all(|vertex| vertex.is_finite()) && axis.direction.is_finite();
+        (is_placed && axis.direction != DVec2::ZERO && axis.half_height > 0.0).then_some(axis)
+    }
+}
+
+/// The axis of a shape about its own origin.
+fn own_axis(shape: &Shape, substance: &Substance) -> Option<OpticalAxis> {
+    match (shape, substance) {
+        (Shape::Lens { thickness, diameter, .. }, Substance::Medium(_)) => {
+            Some(lens([-0.5 * thickness, 0.5 * thickness], *diameter))
+        }
+        (Shape::LensGroup { diameter, surfaces }, _) => {
+            Some(lens([0.0, surfaces.iter().filter_map(|surface| surface.thickness).sum()], *diameter))
+        }
+        (Shape::Flat { from, to }, Substance::Surface(Surface::ThinLens { .. })) => {
+            Some(line(Imaging::ThinLens, *from, *to))
+        }
+        (Shape::Flat { from, to }, Substance::Surface(Surface::Mirror)) => Some(line(Imaging::FlatMirror, *from, *to)),
+        (Shape::Arc { from, through, to }, Substance::Surface(Surface::Mirror)) => {
+            Some(Curve::arc(*from, *through, *to).map_or_else(|| line(Imaging::FlatMirror, *from, *to), arc))
+        }
+        _ => None,
     }
 }
 
@@ -157,6 +158,13 @@ mod tests {
         let thin = axes[2].unwrap();
         assert_eq!((thin.vertices[0], thin.direction.x.abs()), (DVec2::new(0.0, 2.0), 1.0));
         assert_eq!(axes[3], None);
+    }
+
+    #[test]
+    fn far_from_the_origin_an_axis_keeps_its_direction() {
+        let lens = "shape: Lens(radii: (50, -50), thickness: 6, diameter: 26), medium: Index(1.5), rotate: 33";
+        let [near, far] = axes(&format!("({lens}), ({lens}, at: (3e9, 7e9))"))[..] else { panic!("two") };
+        assert_eq!(near.unwrap().direction, far.unwrap().direction);
     }
 
     #[test]

@@ -10,6 +10,8 @@ pub const MAX_POINTS: usize = 2_000_000;
 pub const MAX_SIDES: u32 = 100_000;
 /// Most rays in a scene, each counted once per spectral line.
 pub const MAX_RAYS: u64 = 10_000_000;
+/// Most objects in a scene.
+pub const MAX_OBJECTS: usize = 100;
 /// Most spectral lines of a source.
 pub const MAX_LINES: usize = 10_000;
 /// Most segments that may be followed.

@@ -21,8 +21,8 @@ pub use axis::{Imaging, OpticalAxis, facing};
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
 pub use limits::{
-    MAX_BODIES, MAX_DEVIATIONS, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_PIXELS, MAX_POINTS, MAX_RAYS,
-    MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
+    MAX_BODIES, MAX_DEVIATIONS, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_OBJECTS, MAX_PIXELS, MAX_POINTS,
+    MAX_RAYS, MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
 };
 pub use listing::render_problems;
 pub use medium::Medium;

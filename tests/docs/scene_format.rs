@@ -107,6 +107,7 @@ fn the_reference_names_every_limit() {
         scene::MAX_RAYS,
         scene::MAX_LINES as u64,
         scene::MAX_NOTES as u64,
+        scene::MAX_OBJECTS as u64,
     ];
     for limit in whole.map(grouped) {
         assert!(limits.contains(&format!("| {limit} ")), "{limit}");

@@ -3,7 +3,9 @@ use std::collections::HashSet;
 use glam::DVec2;
 
 use super::checker::{Checker, Text, show};
-use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Problem, Scene, Shape, Source, Spectrum, facing};
+use crate::scene::{
+    Direction, Light, MAX_LINES, MAX_OBJECTS, MAX_RAYS, Problem, Scene, Shape, Source, Spectrum, facing,
+};
 
 /// Rays of an object, at most.
 const OBJECT_RAYS: u64 = 3;
@@ -146,7 +148,9 @@ fn check_line(c: &mut Checker, path: impl Text, nm: f64) -> bool {
 pub(super) fn check_objects(c: &mut Checker, scene: &Scene) {
     let are_bodies_sound = c.problems.iter().all(|problem| !problem.path.starts_with("bodies"))
         && scene.bodies.iter().all(|body| !matches!(body.shape, Shape::Disk { radius } if radius.is_nan()));
-    for (k, source) in scene.sources.iter().enumerate().filter(|_| are_bodies_sound) {
+    let objects = scene.sources.iter().filter(|source| matches!(source.light, Light::Object { .. })).count();
+    let are_few = c.size("sources", "a scene", "objects", objects, [0, MAX_OBJECTS]);
+    for (k, source) in scene.sources.iter().enumerate().filter(|_| are_bodies_sound && are_few) {
         let Light::Object { from, to } = source.light else { continue };
         if !from.is_finite() || !to.is_finite() || from == to {
             continue;
