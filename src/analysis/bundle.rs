@@ -161,7 +161,7 @@ fn product(u: &[f64], v: &[f64]) -> f64 {
 }
 
 /// The branch of a ray that has a path.
-fn branch<'a>(ray: &'a TracedRay, path: &str) -> Option<&'a Segment> {
+pub(super) fn branch<'a>(ray: &'a TracedRay, path: &str) -> Option<&'a Segment> {
     path.chars().try_fold(ray.segments.first()?, |segment, letter| child(ray, segment.id, letter))
 }
 

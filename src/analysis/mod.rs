@@ -30,6 +30,7 @@ mod confusion;
 mod deviation;
 mod images;
 mod irradiance;
+mod least_deviation;
 mod objects;
 mod paraxial;
 
@@ -39,5 +40,6 @@ pub use confusion::Confusion;
 pub use deviation::{deviation_degrees, turning_degrees};
 pub use images::{Image, images};
 pub use irradiance::{Curve, Irradiance, irradiance};
+pub use least_deviation::{LeastDeviation, least_deviation};
 pub use objects::{ObjectImage, object_images};
 pub use paraxial::{Paraxial, paraxial, paraxial_of};

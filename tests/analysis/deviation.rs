@@ -1,7 +1,8 @@
 //! Deviation, by drops and prisms.
 
-use snellius::analysis::turning_degrees;
+use snellius::analysis::{least_deviation, turning_degrees};
 use snellius::laws::minimum_deviation;
+use snellius::light::Wavelength;
 use snellius::numerics::Turn;
 use snellius::trace::SegmentId;
 
@@ -60,4 +61,41 @@ fn minimum_deviation_of_prisms() {
         let deviation = minimum_deviation(row.number("n"), row.number("apex_deg")).unwrap();
         close(deviation, row.number("min_deviation_deg"), 1e-12, &row.what);
     }
+}
+
+#[test]
+fn the_ray_of_least_deviation_is_found_between_the_traced_ones() {
+    // A fan from beside a prism: wherever it stands, the least deviation is the closed form's.
+    for (n, apex) in [(1.5168, 60.0), (1.7, 40.0), (1.4, 70.0)] {
+        let run = run_text(&format!(
+            "(bodies: [(shape: Prism(apex_angle: {apex}, side: 40), medium: Index({n}))],
+            sources: [(light: Fan(from: (-57, -19.6), direction: Towards((0, 0)), spread: 12, rays: 12))],
+            trace: (min_power: 0, max_depth: 3))"
+        ));
+        let least = least_deviation(&run.system, 0, "tt", Wavelength::D).unwrap();
+        close(least.degrees, -minimum_deviation(n, apex).unwrap(), 1e-12, "toward the base");
+        let coarse = run.trace.tree.rays.iter().filter_map(|ray| {
+            let end = ray.segments.iter().find(|end| ray.address(end.id).ends_with(":tt"))?;
+            turning_degrees(ray, end.id)
+        });
+        let coarse = coarse.map(f64::abs).fold(f64::INFINITY, f64::min);
+        assert!(coarse > least.degrees.abs() + 1e-6, "{coarse}: no ray of the fan is as good");
+    }
+}
+
+#[test]
+fn the_rainbows_ray_is_found_in_a_beam() {
+    let n: f64 = 1.333;
+    let run = run_text(
+        "(bodies: [(shape: Disk(10), at: (500, 0), medium: Index(1.333))],
+        sources: [(light: Beam(center: (450, 6), direction: Angle(0), width: 7.7, rays: 9))], trace: (min_power: 0, max_depth: 4))",
+    );
+    let least = least_deviation(&run.system, 0, "trt", Wavelength::D).unwrap();
+    // Descartes: cos² θ_i = (n² − 1)/3, and 180° + 2 θ_i − 4 θ_t.
+    let sine = (1.0 - (n * n - 1.0) / 3.0).sqrt();
+    let asin = snellius::numerics::asin_degrees;
+    close(least.degrees, -(180.0 + 2.0 * asin(sine) - 4.0 * asin(sine / n)), 1e-12, "degrees");
+    close(least.from.y, 10.0 * sine, 1e-6, "height");
+    assert_eq!(least_deviation(&run.system, 0, "trx", Wavelength::D), None);
+    assert_eq!(least_deviation(&run.system, 1, "trt", Wavelength::D), None);
 }
