@@ -30,7 +30,8 @@
 //!
 //! [`Scene`] (what the file says) → [`compile()`] → [`OpticalSystem`] (boundaries and ray starts) → [`trace()`] →
 //! [`RayTree`] → [`analysis`] (focal points, images, deviation, irradiance), [`report`] (text, JSON, CSV), [`explain`] (worked
-//! solutions) and [`diagram`] → [`drawing`] → [`render`] (SVG, PNG). A module uses only modules that come before it. [`summarize`] keeps no tree, and a [`Visitor`] of one's own sees every segment as it comes.
+//! solutions) and [`diagram`] → [`drawing`] → [`render`] (SVG, PNG, PDF with the feature `pdf`). A module uses only modules that
+//! come before it. [`summarize`] keeps no tree, and a [`Visitor`] of one's own sees every segment as it comes.
 //!
 //! # Units and signs
 //!

@@ -9,6 +9,8 @@ mod files;
 #[cfg(unix)]
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+#[path = "cli/pictures.rs"]
+mod pictures;
 #[path = "cli/place.rs"]
 mod place;
 #[path = "cli/problems.rs"]

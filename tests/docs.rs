@@ -4,8 +4,15 @@
 //! - A block marked `ron` is a whole scene. If its first line is a comment like `// prism.ron`, the command lines of the
 //!   same page find it under this name.
 //! - A block marked `ron,fragment` is entries of `bodies`, of `sources`, or fields of a scene.
-//! - A block marked `sh` holds command lines; they run one after the other in a folder of the page's own. A block marked
-//!   `text` right after it shows what the last of them prints.
+//! - A block marked `sh` holds command lines. A page runs from top to bottom, word for word, in an empty folder of its own, in
+//!   `sh -e` with the program on its path, and must not fail. So a page makes the files that it uses: by a command such as
+//!   `snellius new`, or by a `ron` block with a name, which is written when its turn comes. Command lines for the project's own
+//!   folder are not run; docs/commands.rs lists them.
+//! - A block marked `sh fails` shows a mistake: the same, but it must fail.
+//! - A block marked `text` right after one of these shows what that prints: what goes to standard output, of a mistake
+//!   also what goes to standard error.
+//! - A picture in a folder of the page's name, such as `first-figure/prism.svg`, is the file of that name that the page's
+//!   commands write, or is drawn from the scene that lies beside it.
 //! - A block marked `json` is the JSON trace of the page's scene, or a part of it, and one marked `csv` its first line.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on fails")]
@@ -20,10 +27,13 @@ mod filled_page;
 mod links;
 #[path = "docs/page.rs"]
 mod page;
+#[path = "docs/pictures.rs"]
+mod pictures;
 #[path = "docs/scene_format.rs"]
 mod scene_format;
 #[path = "docs/scenes.rs"]
 mod scenes;
+mod support;
 #[allow(dead_code, reason = "only what is read is needed")]
 #[path = "../benches/support/table.rs"]
 mod table;

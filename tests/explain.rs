@@ -7,6 +7,8 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![allow(clippy::disallowed_methods, reason = "functions other than the program's own, on purpose")]
 
+#[path = "explain/derivation.rs"]
+mod derivation;
 #[path = "explain/formula.rs"]
 mod formula;
 #[path = "explain/interval.rs"]

@@ -43,9 +43,17 @@ fn groups<'a>(items: &'a [Item], class: &str) -> Vec<&'a Group> {
     items.iter().filter_map(group).filter(|group| group.class == class).collect()
 }
 
-/// The marks of hits.
-fn angles(drawing: &Drawing) -> Vec<&Group> {
-    groups(&drawing.items, "angles").into_iter().flat_map(|layer| groups(&layer.items, "angle")).collect()
+/// The marks of hits: of each those that come with the light that arrives and those that come with the light that leaves.
+fn angles(drawing: &Drawing) -> Vec<Group> {
+    let generations = groups(&drawing.items, "angles").into_iter().flat_map(|layer| groups(&layer.items, "generation"));
+    let mut hits: Vec<Group> = Vec::new();
+    for part in generations.flat_map(|generation| groups(&generation.items, "angle")) {
+        match hits.iter_mut().find(|hit| hit.data == part.data) {
+            Some(hit) => hit.items.extend(part.items.iter().cloned()),
+            None => hits.push(part.clone()),
+        }
+    }
+    hits
 }
 
 fn texts(items: &[Item]) -> Vec<&Text> {
@@ -67,7 +75,8 @@ fn words(text: &Text) -> String {
 /// What stands at the hits of a scene, and below the figure.
 fn values(scene: &str) -> Vec<String> {
     let drawing = figure(&run_text(scene));
-    let marks = angles(&drawing).into_iter().flat_map(|group| texts(&group.items)).map(words);
+    let hits = angles(&drawing);
+    let marks = hits.iter().flat_map(|group| texts(&group.items)).map(words);
     let below = groups(&drawing.items, "key").into_iter().flat_map(|key| texts(&key.items));
     marks.chain(below.filter(|text| text.class != "legend").map(words)).collect()
 }

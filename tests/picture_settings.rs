@@ -108,6 +108,47 @@ fn in_print_dashes_tell_a_few_lines_apart() {
 }
 
 #[test]
+fn the_authors_colors_suit_every_ground() {
+    let scene = |theme: &str| {
+        format!(
+            r##"(
+                bodies: [(shape: Rectangle(10, 40), medium: Index(1.5), color: "#e4cda4")],
+                sources: [
+                    (light: Ray(from: (-30, 10), direction: Angle(0)), color: "#1565a8"),
+                    (light: Ray(from: (-30, 0), direction: Angle(0)), color: "#c8202f"),
+                    (light: Ray(from: (-30, -10), direction: Angle(0))),
+                ],
+                diagram: (theme: {theme}),
+            )"##
+        )
+    };
+    let fill = |theme: &str| {
+        let body = marks(&scene(theme), "body").into_iter().find(|mark| mark["fill"] != "none").unwrap();
+        channels(&body["fill"])
+    };
+    let strokes = |theme: &str| {
+        let rays = rays(&scene(theme));
+        ["0.0:", "1.0:", "2.0:"].map(|address| rays[address]["stroke"].clone())
+    };
+    assert_eq!(strokes("Light"), ["#1565a8", "#c8202f", "#c8202f"]);
+    assert_eq!(fill("Light"), [0xe4, 0xcd, 0xa4]);
+    let sum = |channels: [u8; 3]| channels.into_iter().map(u32::from).sum::<u32>();
+    let lifted = strokes("Dark").map(|color| channels(&color));
+    assert!(sum(lifted[0]) > sum([0x15, 0x65, 0xa8]) && lifted[0][2] > lifted[0][0], "{lifted:?}: lighter, and blue");
+    let dark = fill("Dark");
+    assert!(dark.into_iter().max().unwrap() < 96 && dark[0] > dark[2], "{dark:?}: deep, and sand");
+    assert_eq!(strokes("Print"), ["#000000"; 3].map(str::to_owned));
+    let dashes: BTreeSet<_> = rays(&scene("Print"))
+        .into_iter()
+        .filter(|(address, _)| address.ends_with(':'))
+        .map(|(_, ray)| ray.get("stroke-dasharray").cloned())
+        .collect();
+    assert_eq!(dashes.len(), 3, "{dashes:?}");
+    let [r, g, b] = fill("Print");
+    assert!(r == g && g == b, "gray");
+}
+
+#[test]
 fn color_may_tell_the_power() {
     for (theme, strong) in [("Light", "#a00c2c"), ("Dark", "#ffd866"), ("Print", "#000000")] {
         let rays = rays(&prism("", &format!("color: Power, theme: {theme}")));

@@ -166,7 +166,7 @@ fn branch<'a>(ray: &'a TracedRay, path: &str) -> Option<&'a Segment> {
 }
 
 /// The segment that begins where one ends, by its letter.
-fn child(ray: &TracedRay, parent: SegmentId, letter: char) -> Option<&Segment> {
+pub(super) fn child(ray: &TracedRay, parent: SegmentId, letter: char) -> Option<&Segment> {
     // A segment's children come after it.
     let later = ray.segments.get(parent.index()..)?;
     later.iter().find(|next| next.parent == Some(parent) && next.via.letter() == Some(letter))

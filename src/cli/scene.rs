@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::console::{Fault, Mistake, reason, tell};
 use super::stats::Stopwatch;
 use crate::compile::{Compiled, compile_checked};
-use crate::scene::{self, Loaded, MAX_TEXT_BYTES, Problem, Scene};
+use crate::scene::{self, Loaded, MAX_TEXT_BYTES, Places, Problem, Scene};
 use crate::system::OpticalSystem;
 
 /// A scene read, checked and compiled.
@@ -14,6 +14,24 @@ pub(super) struct Ready {
     pub(super) system: OpticalSystem,
     /// Number of warnings shown.
     pub(super) warnings: usize,
+    file: String,
+    text: String,
+    places: Places,
+}
+
+impl Ready {
+    /// Shows warnings that came up later.
+    pub(super) fn warn(&self, mut problems: Vec<Problem>) {
+        if !problems.is_empty() {
+            problems.iter_mut().for_each(|problem| self.places.locate(problem));
+            tell(shown(&problems, &self.text, &self.file));
+        }
+    }
+}
+
+/// With an empty line behind: each problem takes several lines.
+fn shown(problems: &[Problem], text: &str, file: &str) -> String {
+    format!("{}\n", scene::render_problems(problems, text, file).trim_end())
 }
 
 /// Whether a path on the command line stands for standard input.
@@ -39,8 +57,7 @@ pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault
     let file = name(path);
     let text = read(path, &file)?;
     watch.begin("loading");
-    // With an empty line behind: each problem takes several lines.
-    let shown = |problems: &[Problem]| format!("{}\n", scene::render_problems(problems, &text, &file).trim_end());
+    let shown = |problems: &[Problem]| shown(problems, &text, &file);
     let Loaded { scene, places, mut warnings } = scene::load(&text).map_err(|problems| Fault(shown(&problems)))?;
     watch.begin("compiling");
     let placed = |mut problem: Problem| {
@@ -55,7 +72,7 @@ pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault
     if !warnings.is_empty() {
         tell(shown(&warnings));
     }
-    Ok(Ready { scene, system, warnings: warnings.len() })
+    Ok(Ready { scene, system, warnings: warnings.len(), file, text, places })
 }
 
 fn read(path: &Path, file: &str) -> Result<String, Fault> {

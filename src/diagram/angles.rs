@@ -2,61 +2,74 @@
 
 use glam::DVec2;
 
-use crate::diagram::hits::{Case, MarkedHit, marked};
-use crate::diagram::room::{CROSSING, Room, centered};
+use crate::diagram::arc::{OFF_LINES, arc, beside, is_right, square, stroked};
+use crate::diagram::generations::Aged;
+use crate::diagram::hits::{Case, MarkedHit};
+use crate::diagram::room::{Room, centered};
 use crate::diagram::{Figure, key};
-use crate::drawing::{Anchor, Cap, Color, Font, Group, Item, Path, Shape, Stroke, Text};
+use crate::drawing::{Anchor, Color, Font, Group, Item, Path, Shape, Stroke, Text};
 use crate::numerics::Turn;
 
 const SIZE: f64 = 11.5;
 /// Radius of an arc, pixels, where there is room for it.
 const RADIUS: f64 = 28.0;
 const SMALLEST_RADIUS: f64 = 12.0;
-/// Free space between a value and lines, pixels.
-const OFF_LINES: f64 = 4.0;
-/// Cosines below this belong to right angles.
-const RIGHT: f64 = 0.001;
 /// Side of a right-angle mark, pixels.
 const SQUARE: f64 = 9.0;
 /// Length of the grazing ray that carries nothing, pixels.
 const GRAZING: f64 = 70.0;
-/// How far from the arc's middle a value is sought, degrees.
-const ASIDE: [f64; 16] =
-    [0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 80.0, -80.0, 110.0, -110.0, 150.0, -150.0, 180.0];
-/// How far outside of the arc, pixels.
-const OUTSIDE: [f64; 5] = [4.0, 9.0, 15.0, 22.0, 30.0];
 /// A critical angle is shown if the angle of incidence is at least this share of it.
 const NEAR_CRITICAL: f64 = 0.6;
 /// Radius of the ring around a number, pixels.
 const RING: f64 = 7.0;
 
-/// The marks, a group a hit, and what stands below the figure for the hits that are only numbered.
-pub(super) fn angles(figure: &Figure<'_>, room: &mut Room) -> (Vec<Item>, Vec<Text>) {
-    let hits = marked(figure);
+/// The marks, a group a hit for the light that arrives and one for the light that leaves, and what stands below the figure
+/// for the hits that are only numbered.
+pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
     let mut groups = Vec::new();
     let mut unlabelled = Vec::new();
     for (place, hit) in hits.iter().enumerate() {
         let is_crowded = hits[..place].iter().any(|other| (other.at - hit.at).length() < 2.0 * RADIUS);
         let drawer = Drawer::new(figure, hit);
-        let mut items = if is_crowded { Vec::new() } else { drawer.lines(room) };
+        let mut marks = if is_crowded { Marks::default() } else { drawer.lines(room) };
         let values = if is_crowded { None } else { drawer.values(room) };
         match values {
-            Some(values) => items.extend(values.into_iter().map(Item::from)),
+            Some((first, second)) => {
+                marks.arriving.push(first.into());
+                marks.leaving.extend(second.map(Item::from));
+            }
             None => unlabelled.push(place),
         }
-        groups.push(items);
+        groups.push(marks);
     }
     let mut below = Vec::new();
     for (number, place) in (1..).zip(unlabelled) {
         let drawer = Drawer::new(figure, &hits[place]);
-        groups[place].extend(drawer.number(number, room));
+        groups[place].arriving.extend(drawer.number(number, room));
         below.push(drawer.line_below(number));
     }
-    let group = |(hit, items): (&MarkedHit<'_>, Vec<Item>)| {
-        let data = vec![("data-address", hit.branch.address())];
-        Group { data, ..Group::layer("angle", items) }.into()
-    };
-    (hits.iter().zip(groups).map(group).collect(), below)
+    (hits.iter().zip(groups).flat_map(|(hit, marks)| marks.grouped(hit)).collect(), below)
+}
+
+/// Marks of one hit.
+#[derive(Default)]
+struct Marks {
+    /// Of the light that arrives there.
+    arriving: Vec<Item>,
+    /// Of the light that leaves it, which is shown when that is.
+    leaving: Vec<Item>,
+}
+
+impl Marks {
+    fn grouped(self, hit: &MarkedHit<'_>) -> impl Iterator<Item = Aged> {
+        let generation = hit.branch.generation();
+        let address = hit.branch.address();
+        let groups = [(generation, self.arriving), (generation.saturating_add(1), self.leaving)].into_iter();
+        groups.filter(|(_, items)| !items.is_empty()).map(move |(generation, items)| {
+            let data = vec![("data-address", address.clone())];
+            (generation, Group { data, ..Group::layer("angle", items) }.into())
+        })
+    }
 }
 
 /// Draws the marks of one hit.
@@ -79,26 +92,27 @@ impl<'a> Drawer<'a> {
     }
 
     /// Arcs and the lines that explain them.
-    fn lines(&self, room: &mut Room) -> Vec<Item> {
+    fn lines(&self, room: &mut Room) -> Marks {
         let MarkedHit { normal, back, reflected, transmitted, along, theta_1, case, .. } = *self.hit;
         let palette = &self.figure.palette;
-        let mut items = vec![self.arc(normal, back, self.color(), room)];
-        items.extend(reflected.map(|reflected| self.arc(normal, reflected, self.color(), room)));
-        items.extend(transmitted.map(|transmitted| self.arc(-normal, transmitted, palette.ink, room)));
+        let mut arriving = vec![self.arc(normal, back, self.color(), room)];
+        let mut leaving: Vec<Item> = Vec::new();
+        leaving.extend(reflected.map(|reflected| self.arc(normal, reflected, self.color(), room)));
+        leaving.extend(transmitted.map(|transmitted| self.arc(-normal, transmitted, palette.ink, room)));
         let dotted = |path| Shape::stroked(path, Stroke::solid(palette.accent, 1.0).dashed(&[1.5, 3.0]), "").into();
         match case {
             Case::Total(critical) | Case::Plain(Some(critical)) if theta_1 >= NEAR_CRITICAL * critical => {
                 let limit = self.aside(critical);
-                items.push(dotted(arc(self.hit.at, self.radius, back, limit)));
+                arriving.push(dotted(arc(self.hit.at, self.radius, back, limit)));
                 let tick = [-4.0, 4.0].map(|by| self.hit.at + (self.radius + by) * limit);
-                items.push(stroked(Path::line(tick[0], tick[1]), palette.accent));
+                arriving.push(stroked(Path::line(tick[0], tick[1]), palette.accent));
             }
-            Case::Critical => items.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along))),
+            Case::Critical => leaving.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along))),
             Case::Plain(_) | Case::Total(_) | Case::Mirror | Case::Brewster => {}
         }
-        items.extend(reflected.and_then(|reflected| self.right_angle(back, reflected)));
-        items.extend(reflected.zip(transmitted).and_then(|(one, other)| self.right_angle(one, other)));
-        items
+        leaving.extend(reflected.and_then(|reflected| self.right_angle(back, reflected)));
+        leaving.extend(reflected.zip(transmitted).and_then(|(one, other)| self.right_angle(one, other)));
+        Marks { arriving, leaving }
     }
 
     fn arc(&self, from: DVec2, to: DVec2, color: Color, room: &mut Room) -> Item {
@@ -115,44 +129,25 @@ impl<'a> Drawer<'a> {
 
     /// The mark between two rays at right angles.
     fn right_angle(&self, one: DVec2, other: DVec2) -> Option<Item> {
-        let mut path = Path::new();
-        path.move_to(self.hit.at + SQUARE * one);
-        path.line_to(self.hit.at + SQUARE * (one + other));
-        path.line_to(self.hit.at + SQUARE * other);
-        (one.dot(other).abs() < RIGHT).then(|| stroked(path, self.color()))
+        is_right(one, other).then(|| stroked(square(self.hit.at, SQUARE, one, other), self.color()))
     }
 
-    /// The values in their places; `None` where they do not fit.
-    fn values(&self, room: &mut Room) -> Option<Vec<Text>> {
-        let MarkedHit { normal, back, transmitted, .. } = *self.hit;
-        let mut values = vec![(normal + back, self.first(self.text("", self.color())))];
-        let second = |(theta, transmitted): (f64, DVec2)| {
-            (transmitted - normal, angle(self.text("", self.figure.palette.ink), "2", theta))
-        };
-        values.extend(self.hit.theta_2.zip(transmitted).map(second));
+    /// The values of the light that arrives and of that which goes through, in their places; `None` where they do not fit.
+    fn values(&self, room: &mut Room) -> Option<(Text, Option<Text>)> {
+        let MarkedHit { normal, back, transmitted, theta_2, .. } = *self.hit;
         let before = room.words();
-        let placed: Option<Vec<Text>> =
-            values.into_iter().map(|(toward, text)| self.placed(&text, toward.normalize_or_zero(), room)).collect();
-        if placed.is_none() {
+        let first = self.beside(&self.first(self.text("", self.color())), normal + back, room)?;
+        let Some((theta, transmitted)) = theta_2.zip(transmitted) else { return Some((first, None)) };
+        let second = angle(self.text("", self.figure.palette.ink), "2", theta);
+        let second = self.beside(&second, transmitted - normal, room);
+        if second.is_none() {
             room.forget(before);
         }
-        placed
+        Some((first, Some(second?)))
     }
 
-    fn placed(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
-        let mut places = Vec::new();
-        let size = text.bounds().size();
-        for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
-            for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
-                let direction = Turn::degrees(aside).apply(toward);
-                let half = (0.5 * size * direction).abs().element_sum();
-                places.push((0.4 * rank + 0.6 * step, self.hit.at + (self.radius + outside + half) * direction));
-            }
-        }
-        let (_, middle) = room.best(text, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
-        let text = centered(text, middle);
-        room.take(text.bounds());
-        Some(text)
+    fn beside(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
+        beside(text, self.hit.at, self.radius, toward.normalize_or_zero(), room)
     }
 
     /// A number beside the hit.
@@ -204,16 +199,4 @@ impl<'a> Drawer<'a> {
 /// Adds an angle in degrees by its letter.
 fn angle(text: Text, subscript: &str, degrees: f64) -> Text {
     text.then("θ").subscript(subscript).then(&format!("\u{a0}{degrees:.1}°"))
-}
-
-/// The smaller arc about a point between two directions.
-fn arc(at: DVec2, radius: f64, from: DVec2, to: DVec2) -> Path {
-    let mut path = Path::new();
-    path.move_to(at + radius * from);
-    path.arc_to(radius, false, from.perp_dot(to) > 0.0, at + radius * to);
-    path
-}
-
-fn stroked(path: Path, color: Color) -> Item {
-    Shape::stroked(path, Stroke::solid(color, 1.0).capped(Cap::Butt), "").into()
 }

@@ -2,11 +2,14 @@ use glam::DVec2;
 
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
+use crate::diagram::generations::Aged;
 use crate::diagram::styles::{opacity, strength};
-use crate::drawing::{Fill, Item, Path, Shape};
+use crate::drawing::{Fill, Path, Shape};
 
 /// A shorter piece of ray has no arrowhead, pixels.
-const SHORTEST: f64 = 30.0;
+const SHORTEST: f64 = 11.0;
+/// A head takes no more of its branch than this share.
+const LARGEST: f64 = 0.55;
 /// Two arrowheads are at least this far apart, pixels.
 const APART: f64 = 11.0;
 /// Two of opposite ways on one line are at least this far apart, pixels.
@@ -20,10 +23,10 @@ const MOST_TRIED: usize = 4000;
 const PLACES: [f64; 3] = [0.5, 0.3, 0.7];
 
 /// Arrowheads past the middle of the branches, the strongest first, none on top of another.
-pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
+pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Aged> {
     let styles = &figure.styles;
     let mut heads: Vec<Head> = Vec::new();
-    let mut items = Vec::new();
+    let mut items: Vec<Aged> = Vec::new();
     let tried = figure.branches.iter().rev().take(MOST_TRIED);
     for branch in tried.filter(|branch| branch.arrow && branch.length() >= SHORTEST) {
         if heads.len() >= MOST {
@@ -34,7 +37,8 @@ pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
         let closed = branch.fan.is_some_and(|fan| fan.closed());
         let color = if closed { styles.together(branch) } else { styles.color(branch) };
         let fill = Fill { color, opacity: opacity(strength(branch.share)) };
-        items.push(Shape::filled(head.path(size(branch)), fill, "arrow").into());
+        let shape = Shape::filled(head.path(size(branch)), fill, "arrow");
+        items.push((branch.generation(), shape.into()));
         heads.push(head);
     }
     // The strongest lie on top.
@@ -69,7 +73,7 @@ fn free(branch: &Branch<'_>, heads: &[Head]) -> Option<Head> {
     let along = branch.direction();
     for place in PLACES {
         let middle = branch.ends[0].lerp(branch.ends[1], place);
-        let head = Head { tip: middle + along * (0.5 * size(branch) + 2.0), along };
+        let head = Head { tip: middle + along * past_middle(branch), along };
         let in_the_way: Vec<&Head> = heads.iter().filter(|other| !head.clear_of(other)).collect();
         if in_the_way.is_empty() {
             return Some(head);
@@ -81,6 +85,11 @@ fn free(branch: &Branch<'_>, heads: &[Head]) -> Option<Head> {
     None
 }
 
+/// How far the tip stands past the head's place.
+fn past_middle(branch: &Branch<'_>) -> f64 {
+    (0.5 * size(branch) + 2.0).min(0.4 * branch.length())
+}
+
 fn size(branch: &Branch<'_>) -> f64 {
-    8.0 + 4.5 * strength(branch.share)
+    (8.0 + 4.5 * strength(branch.share)).min(LARGEST * branch.length())
 }

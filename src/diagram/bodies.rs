@@ -139,7 +139,7 @@ fn moved(curve: &Curve, by: glam::DVec2) -> Curve {
 }
 
 fn own_color(figure: &Figure<'_>, k: usize) -> Option<Color> {
-    figure.scene.bodies.get(k)?.color.map(Color)
+    figure.scene.bodies.get(k)?.color.map(|own| figure.palette.own_body(own))
 }
 
 /// Color of a body's lines and words: its own, deepened, or the theme's.

@@ -70,6 +70,11 @@ impl<'a> Branch<'a> {
         self.ray.address(self.segment.id)
     }
 
+    /// How many hits lie behind it.
+    pub(super) fn generation(&self) -> u32 {
+        generation(self.ray, self.segment.id)
+    }
+
     /// Length of the visible part, pixels.
     pub(super) fn length(&self) -> f64 {
         (self.ends[1] - self.ends[0]).length()
@@ -88,9 +93,18 @@ pub(super) fn share(ray: &TracedRay, segment: &Segment) -> f64 {
 
 /// Path letters of a segment, from its source on.
 pub(super) fn letters(ray: &TracedRay, id: SegmentId) -> String {
-    let way = std::iter::successors(ray.segments.get(id.index()), |segment| ray.segments.get(segment.parent?.index()));
-    let backward: Vec<char> = way.filter_map(|segment| segment.via.letter()).collect();
+    let backward: Vec<char> = way(ray, id).filter_map(|segment| segment.via.letter()).collect();
     backward.into_iter().rev().collect()
+}
+
+/// How many hits lie behind a segment.
+pub(super) fn generation(ray: &TracedRay, id: SegmentId) -> u32 {
+    u32::try_from(way(ray, id).skip(1).count()).unwrap_or(u32::MAX)
+}
+
+/// A segment and those before it, back to the source's.
+fn way(ray: &TracedRay, id: SegmentId) -> impl Iterator<Item = &Segment> {
+    std::iter::successors(ray.segments.get(id.index()), |segment| ray.segments.get(segment.parent?.index()))
 }
 
 /// Segments that are not drawn.

@@ -6,9 +6,10 @@ use glam::DVec2;
 
 use crate::diagram::Figure;
 use crate::diagram::blend::Blend;
-use crate::diagram::branches::{Branch, letters, share};
+use crate::diagram::branches::{Branch, generation, letters, share};
 use crate::diagram::frame::{Extent, Frame, clip};
-use crate::drawing::{Item, Path, Shape, Stroke};
+use crate::diagram::generations::Aged;
+use crate::drawing::{Path, Shape, Stroke};
 use crate::numerics::cross;
 use crate::scene::{Light, Scene, Source};
 use crate::trace::{Ending, RayTree, Segment, TracedRay};
@@ -29,6 +30,8 @@ const MOST: usize = 400;
 pub(super) struct Extension<'a> {
     ray: &'a TracedRay,
     segment: &'a Segment,
+    /// The light that it is compared with, itself or what became of it.
+    turned: &'a Segment,
     from: DVec2,
     to: DVec2,
     /// Whether it goes on past its end as far as the figure allows, up to [`BEYOND`].
@@ -36,7 +39,7 @@ pub(super) struct Extension<'a> {
 }
 
 /// Dashed lines of the extensions, each in the color of its ray.
-pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Item> {
+pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Aged> {
     let all = found(figure.scene, figure.tree);
     let blends = if all.is_empty() { BTreeMap::new() } else { blends(figure) };
     let items = all.iter().filter_map(|extension| {
@@ -45,7 +48,8 @@ pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Item> {
         let blend = blends.get(&way(extension.ray, extension.segment)).copied().flatten();
         let ray = Branch { blend, ..Branch::plain(extension.ray, extension.segment, [a, b]) };
         let stroke = Stroke::solid(figure.styles.color(&ray), 1.2).faded(0.6).dashed(&[2.0, 4.0]);
-        Some(Shape::stroked(Path::line(a, b), stroke, "extension").into())
+        let shape = Shape::stroked(Path::line(a, b), stroke, "extension");
+        Some((generation(extension.ray, extension.turned.id), shape.into()))
     });
     items.take(MOST).collect()
 }
@@ -160,18 +164,19 @@ impl<'a> Way<'a> {
     }
 
     fn line(&self, segment: &'a Segment, from: DVec2, to: DVec2, open: bool) -> Extension<'a> {
-        Extension { ray: self.ray, segment, from, to, open }
+        Extension { ray: self.ray, segment, turned: segment, from, to, open }
     }
 
     /// For a ray of its own that was turned or displaced: where it would have gone and where it seems to come from.
     fn turned(&self, size: f64) -> Vec<Extension<'a>> {
         let (Some(first), Some(last)) = (self.segments.first(), self.segments.last()) else { return Vec::new() };
         let Some(hit) = first.to.filter(|_| share(self.ray, last) >= STRONG) else { return Vec::new() };
-        match last.ending {
+        let lines = match last.ending {
             Ending::Detected => self.seen(first, last),
             Ending::Escaped => self.deviated(first, hit, last, size),
             _ => Vec::new(),
-        }
+        };
+        lines.into_iter().map(|line| Extension { turned: last, ..line }).collect()
     }
 
     /// What sees a turned ray seeks its start on the line on which it arrives, beside the true one.

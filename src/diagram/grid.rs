@@ -14,7 +14,7 @@ pub(super) fn grid(figure: &Figure<'_>) -> Vec<Item> {
     let Some(step) = nice::at_most(SPACING / figure.frame.scale()) else { return Vec::new() };
     let mut items = Vec::new();
     let mut free = area.min.x;
-    for x in multiples(step, shown.min.x, shown.max.x) {
+    for x in nice::multiples(step, shown.min.x, shown.max.x) {
         let at = figure.frame.place(DVec2::new(x, 0.0)).x;
         items.push(line(figure, DVec2::new(at, area.min.y), DVec2::new(at, area.max.y), x));
         let number = number(figure, x, DVec2::new(at + 3.0, area.max.y - 3.0));
@@ -24,22 +24,12 @@ pub(super) fn grid(figure: &Figure<'_>) -> Vec<Item> {
             items.push(number.into());
         }
     }
-    for y in multiples(step, shown.min.y, shown.max.y) {
+    for y in nice::multiples(step, shown.min.y, shown.max.y) {
         let at = figure.frame.place(DVec2::new(0.0, y)).y;
         items.push(line(figure, DVec2::new(area.min.x, at), DVec2::new(area.max.x, at), y));
         items.push(number(figure, y, DVec2::new(area.min.x + 3.0, at - 3.0)).into());
     }
     items
-}
-
-/// Multiples of a step within an interval; none where the step is lost in rounding.
-pub(super) fn multiples(step: f64, min: f64, max: f64) -> Vec<f64> {
-    let first = (min / step).ceil();
-    let count = (max / step).floor() - first;
-    if !(count.is_finite() && (0.0..1000.0).contains(&count)) || first.abs() > 1e15 {
-        return Vec::new();
-    }
-    (0..=1000_u32).map(f64::from).take_while(|i| *i <= count).map(|i| (first + i) * step).collect()
 }
 
 /// A line of the grid; the axes are a little stronger.
@@ -50,17 +40,4 @@ fn line(figure: &Figure<'_>, from: DVec2, to: DVec2, value: f64) -> Item {
 
 fn number(figure: &Figure<'_>, value: f64, at: DVec2) -> Text {
     Text::new(&nice::label(value), at, NUMBER_SIZE, figure.palette.quiet)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn multiples_stay_inside() {
-        assert_eq!(multiples(2.0, -3.0, 4.5), [-2.0, 0.0, 2.0, 4.0]);
-        assert!(multiples(1.0, 1e300, 1e301).is_empty());
-        assert!(multiples(1e-12, 1e12, 1e12 + 1.0).is_empty());
-        assert!(multiples(1.0, f64::NEG_INFINITY, f64::INFINITY).is_empty());
-    }
 }

@@ -6,7 +6,7 @@
 use glam::DVec2;
 
 use crate::analysis::{self, Curve, Irradiance};
-use crate::diagram::{Figure, grid, header, nice};
+use crate::diagram::{Figure, header, nice};
 use crate::drawing::{Anchor, Cap, Fill, Group, Item, Path, Rect, Shape, Stroke, Text, Whole};
 use crate::scene::Scene;
 use crate::system::OpticalSystem;
@@ -245,7 +245,7 @@ impl Plot<'_> {
         let apart = if self.is_upright { 50.0 } else { 64.0 };
         let step = nice::at_most((high - low) * apart / (self.ends[1] - self.ends[0]).abs());
         let mut unit = " mm";
-        for position in step.map(|step| grid::multiples(step, low, high)).unwrap_or_default() {
+        for position in step.map(|step| nice::multiples(step, low, high)).unwrap_or_default() {
             let at = self.at(position, 0.0);
             let (tick, number, anchor) = if self.is_upright {
                 (DVec2::new(-TICK, 0.0), DVec2::new(-2.0 * TICK, 0.36 * SIZE), Anchor::End)

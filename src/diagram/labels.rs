@@ -6,6 +6,8 @@ use crate::drawing::{Anchor, Color, Item, Rect, Text};
 use crate::scene::{Substance, Surface};
 
 const SIZE: f64 = 12.0;
+/// Distance of the baselines of a label's two lines, pixels.
+const LINE_HEIGHT: f64 = 15.0;
 /// Free space between a label and what it names, pixels.
 const GAP: f64 = 11.0;
 /// A place that costs less needs no other.
@@ -22,10 +24,14 @@ pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
         homes.own = k;
-        let with_index =
-            || words_with_index(figure, k).and_then(|words| place_inside(&text(figure, k, &words), k, shapes, room));
-        let by_itself = || place(&text(figure, k, words(figure, k)?), &homes, shapes, room);
-        if let Some(text) = with_index().or_else(by_itself) {
+        let with_index = || {
+            let [words, index] = words_with_index(figure, k)?;
+            let one_line = [text(figure, k, &[words.as_str(), &index].join(if words.is_empty() { "" } else { ", " }))];
+            let two_lines = [words, index].map(|words| text(figure, k, &words));
+            place_inside(&one_line, k, shapes, room).or_else(|| place_inside(&two_lines, k, shapes, room))
+        };
+        let by_itself = || Some(vec![place(&text(figure, k, words(figure, k)?), &homes, shapes, room)?]);
+        for text in with_index().or_else(by_itself).into_iter().flatten() {
             room.take(text.bounds());
             items.push(text.into());
         }
@@ -37,16 +43,25 @@ fn text(figure: &Figure<'_>, k: usize, words: &str) -> Text {
     Text::new(words, DVec2::ZERO, SIZE, color(figure, k)).anchored(Anchor::Middle).classed("label")
 }
 
-/// A text in a good place inside of its body, if there is one.
-fn place_inside(text: &Text, k: usize, shapes: &[Vec<Shape>], room: &Room) -> Option<Text> {
-    let (cost, middle) = room.best(text, &inside(&shapes[k], &shapes[k + 1..], text, &room.area), OFF_LINES)?;
-    (cost < GOOD).then(|| centered(text, middle))
+/// Lines of text, one below the other, in a good place inside of their body, if there is one.
+fn place_inside(lines: &[Text], k: usize, shapes: &[Vec<Shape>], room: &Room) -> Option<Vec<Text>> {
+    let about = lined_up(lines, DVec2::ZERO).iter().map(Text::bounds).reduce(union)?;
+    let (cost, middle) = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, &room.area), OFF_LINES)?;
+    (cost < GOOD).then(|| lined_up(lines, middle))
+}
+
+/// Lines of text about a common middle, one below the other.
+fn lined_up(lines: &[Text], middle: DVec2) -> Vec<Text> {
+    let first = 0.5 * LINE_HEIGHT * (1.0 - f64::from(u32::try_from(lines.len()).unwrap_or(1)));
+    let heights = (0..).map(|row| first + LINE_HEIGHT * f64::from(row));
+    lines.iter().zip(heights).map(|(line, height)| centered(line, middle + DVec2::new(0.0, height))).collect()
 }
 
 /// A text in the best place inside of its body or beside it.
 fn place(text: &Text, homes: &Homes, shapes: &[Vec<Shape>], room: &Room) -> Option<Text> {
     let k = homes.own;
-    let inside = room.best(text, &inside(&shapes[k], &shapes[k + 1..], text, &room.area), OFF_LINES);
+    let about = centered(text, DVec2::ZERO).bounds();
+    let inside = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, &room.area), OFF_LINES);
     let place = inside.filter(|(cost, _)| *cost < GOOD).or_else(|| {
         let places = homes.near(beside(&shapes[k], text, &room.area), &shapes[k], text);
         let beside = room.best(text, &places, OFF_LINES);
@@ -65,8 +80,8 @@ fn words<'a>(figure: &'a Figure<'_>, k: usize) -> Option<&'a str> {
     body.label.as_deref().or(body.name.as_deref()).filter(|words| !words.trim().is_empty())
 }
 
-/// A medium's name with its index at the scene's one wavelength; the index alone where nothing else names the medium.
-fn words_with_index(figure: &Figure<'_>, k: usize) -> Option<String> {
+/// A medium's name and its index at the scene's one wavelength; the index alone where nothing else names the medium.
+fn words_with_index(figure: &Figure<'_>, k: usize) -> Option<[String; 2]> {
     let outlines = &figure.system.bodies()[k].outlines;
     let medium = outlines.first()?.medium?;
     let [line] = figure.system.wavelengths()[..] else { return None };
@@ -78,9 +93,9 @@ fn words_with_index(figure: &Figure<'_>, k: usize) -> Option<String> {
     let index = format!("n\u{a0}=\u{a0}{}", (1000.0 * index).round() / 1000.0);
     match words(figure, k) {
         Some(words) if words.contains('=') => None,
-        Some(words) => Some(format!("{words}, {index}")),
+        Some(words) => Some([words.to_owned(), index]),
         None if body.label.is_some() || !figure.scene.notes.is_empty() => None,
-        None => Some(index),
+        None => Some([String::new(), index]),
     }
 }
 
@@ -117,10 +132,10 @@ pub(super) fn chords(shapes: &[Vec<Shape>]) -> impl Iterator<Item = [DVec2; 2]> 
     shapes.iter().flatten().flat_map(|shape| shape.points.windows(2).map(|pair| [pair[0], pair[1]]))
 }
 
-/// Middles of places inside a body's outline where the whole text fits and no later body covers it.
-fn inside(shapes: &[Shape], later: &[Vec<Shape>], text: &Text, area: &Rect) -> Vec<(f64, DVec2)> {
+/// Middles of places inside a body's outline where words with this rectangle fit as a whole and no later body covers them.
+fn inside(shapes: &[Shape], later: &[Vec<Shape>], about: Rect, area: &Rect) -> Vec<(f64, DVec2)> {
     let mut places = Vec::new();
-    let about = centered(text, DVec2::ZERO).bounds().grown(3.0);
+    let about = about.grown(3.0);
     for shape in shapes.iter().filter(|shape| shape.filled) {
         let Some(bounds) = seen([shape], area) else { continue };
         // A little below the middle is the natural place: light mostly crosses the middle.
@@ -186,9 +201,12 @@ fn point_along(points: &[DVec2], share: f64) -> Option<DVec2> {
 
 /// The box of what the frame shows of some outlines; `None` if it shows nothing.
 fn seen<'a>(shapes: impl IntoIterator<Item = &'a Shape>, area: &Rect) -> Option<Rect> {
-    let join = |a: Rect, b: Rect| Rect { min: a.min.min(b.min), max: a.max.max(b.max) };
-    let all = shapes.into_iter().map(|shape| shape.bounds).reduce(join)?;
+    let all = shapes.into_iter().map(|shape| shape.bounds).reduce(union)?;
     all.overlaps(area).then(|| Rect { min: all.min.max(area.min), max: all.max.min(area.max) })
+}
+
+fn union(a: Rect, b: Rect) -> Rect {
+    Rect { min: a.min.min(b.min), max: a.max.max(b.max) }
 }
 
 fn rim(rect: &Rect) -> [DVec2; 8] {

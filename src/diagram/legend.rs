@@ -77,10 +77,8 @@ fn lines(figure: &Figure<'_>) -> Vec<Entry> {
 fn ways(figure: &Figure<'_>) -> Vec<Entry> {
     let ways = [Via::Source, Via::Transmission, Via::Reflection, Via::TotalInternalReflection];
     let is_there = |via: &Via| figure.branches.iter().any(|branch| branch.segment.via == *via);
-    let entry = |via: Via| Entry {
-        sample: Some(Stroke::solid(figure.palette.via(via), 2.0)),
-        text: text(figure, &via.word().replace('_', " ")),
-    };
+    let entry =
+        |via: Via| Entry { sample: Some(figure.styles.way(via)), text: text(figure, &via.word().replace('_', " ")) };
     ways.into_iter().filter(is_there).map(entry).collect()
 }
 

@@ -3,6 +3,7 @@
 //! One file a kind of mark; each turns what it needs of scene, system and tree into items of the display list.
 
 mod angles;
+mod arc;
 mod arrows;
 mod axes;
 mod blend;
@@ -11,15 +12,19 @@ mod branches;
 mod cardinal;
 mod coincidence;
 mod crowd;
+mod deviations;
 mod extensions;
 mod frame;
+mod generations;
 mod grid;
 mod header;
 mod hits;
 mod irradiance;
 mod key;
 mod labels;
+mod layers;
 mod legend;
+mod margins;
 mod nice;
 mod normals;
 mod notes;
@@ -28,6 +33,7 @@ mod optics;
 mod outline;
 mod palette;
 mod paths;
+mod protractors;
 mod rays;
 mod room;
 mod scale_bar;
@@ -36,6 +42,7 @@ mod statistics;
 mod styles;
 mod surfaces;
 mod view;
+mod wavefronts;
 mod wrap;
 
 use glam::DVec2;
@@ -51,9 +58,10 @@ use frame::Frame;
 use key::Entry;
 use optics::Optics;
 use palette::Palette;
-use room::Room;
 use styles::Styles;
 
+pub use deviations::problems;
+pub use margins::Margins;
 pub use statistics::Statistics;
 
 /// Everything that the marks look at.
@@ -71,7 +79,7 @@ struct Figure<'a> {
     crowd: Vec<Item>,
 }
 
-/// Lays out the figure of a traced scene.
+/// Lays out the figure of a traced scene; [`Scene`] shows one beside its file.
 ///
 /// `system` and `tree` must come from `scene`; parts that do not fit together are left out.
 #[must_use]
@@ -82,7 +90,21 @@ pub fn draw(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Drawing {
 /// The same as [`draw`], and what it shows and spares.
 #[must_use]
 pub fn draw_counted(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> (Drawing, Statistics) {
-    laid_out(scene, system, tree, false)
+    draw_within(scene, system, tree, Margins::default())
+}
+
+/// The same with as much room for the words above and below the scene as these margins have, where it takes less: figures of one
+/// size and the same margins have their scenes at one height, and with one view at one scale.
+#[must_use]
+pub fn draw_within(scene: &Scene, system: &OpticalSystem, tree: &RayTree, margins: Margins) -> (Drawing, Statistics) {
+    let (drawing, statistics, _) = laid_out(scene, system, tree, margins, false);
+    (drawing, statistics)
+}
+
+/// The room that a scene's figure takes for words.
+#[must_use]
+pub fn margins(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Margins {
+    laid_out(scene, system, tree, Margins::default(), false).2
 }
 
 /// `everywhere` draws segments outside the view too, to see that they make no difference.
@@ -90,21 +112,23 @@ pub(crate) fn laid_out(
     scene: &Scene,
     system: &OpticalSystem,
     tree: &RayTree,
+    least: Margins,
     everywhere: bool,
-) -> (Drawing, Statistics) {
+) -> (Drawing, Statistics, Margins) {
     let palette = Palette::of(scene.diagram.theme);
     let optics = Optics::new(scene, system, tree);
     let (header, top) = header::header(scene, &palette);
+    let top = top.max(least.top);
     let screens = irradiance::screens(scene, system, tree);
     let strip = irradiance::width(scene, &screens);
     // What stands below the scene takes room from it, so that more of it may have to stand there.
     // A legend of one line is expected where it will be needed, so that most figures are laid out once.
     let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
-    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }, is_expected);
+    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }.max(least.foot), is_expected);
     let (mut items, mut statistics) = loop {
         let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot, strip), everywhere);
-        let (layers, below) = figure.layers(statistics.segments_below_faintest);
-        let taken = key::height(&below, figure.frame.area.size().x);
+        let (layers, below) = layers::layers(&mut figure, statistics.segments_below_faintest);
+        let taken = key::height(&below, figure.frame.area.size().x).max(least.foot);
         if taken <= foot && !(is_guess && taken < foot) {
             let mut items = figure.with_key(layers, &below);
             items.extend(irradiance::curves(&figure, &screens));
@@ -121,7 +145,7 @@ pub(crate) fn laid_out(
         description: scene.caption.clone(),
         items,
     };
-    (drawing, statistics)
+    (drawing, statistics, Margins { top, foot })
 }
 
 /// What is seen of the scene in an area, before it is drawn.
@@ -147,55 +171,6 @@ fn seen<'a>(
 }
 
 impl Figure<'_> {
-    /// The layers from back to front, and what stands below the scene.
-    fn layers(&mut self, spared: usize) -> (Vec<Item>, Vec<Entry>) {
-        let crowd = std::mem::take(&mut self.crowd);
-        let crowd_is_empty = crowd.is_empty();
-        let rays = if crowd_is_empty { rays::rays(self) } else { crowd };
-        let settings = &self.scene.diagram;
-        let normals = if settings.normals { normals::normals(self) } else { Vec::new() };
-        let mut layers = vec![self.layer("bodies", bodies::bodies(self))];
-        if settings.grid {
-            layers.push(self.layer("grid", grid::grid(self)));
-        }
-        layers.push(self.layer("surfaces", surfaces::surfaces(self)));
-        let axes = if settings.optical_axis { axes::axes(self) } else { Vec::new() };
-        let planes = cardinal::planes(self);
-        let mut extensions = extensions::extensions(self);
-        extensions.extend(objects::lines_back(self));
-        let objects = objects::arrows(self);
-        let shapes = labels::shapes(self);
-        let mut room = Room::new(self, labels::chords(&shapes), &[&normals, &extensions, &axes, &planes, &objects]);
-        let has_angles = settings.angles && crowd_is_empty;
-        let (angles, below) = if has_angles { angles::angles(self, &mut room) } else { Default::default() };
-        let mut words = cardinal::letters(self, &mut room);
-        words.extend(objects::words(self, &mut room));
-        words.extend(labels::labels(self, &shapes, &mut room));
-        layers.push(self.layer("axes", axes));
-        layers.push(self.layer("principal-planes", planes));
-        layers.push(self.layer("normals", normals));
-        layers.push(self.layer("extensions", extensions));
-        layers.push(self.layer("rays", rays));
-        if settings.arrows {
-            layers.push(self.layer("arrows", arrows::arrows(self)));
-        }
-        layers.push(Group::layer("angles", angles).into());
-        layers.push(self.layer("objects", objects));
-        layers.push(self.layer("focal-points", cardinal::points(self)));
-        layers.push(self.layer("sources", sources::sources(self)));
-        layers.push(self.layer("labels", words));
-        layers.push(Group::layer("notes", notes::notes(self)).into());
-        if settings.scale_bar {
-            layers.push(Group::layer("scale-bar", scale_bar::scale_bar(self)).into());
-        }
-        layers.retain(|layer| !matches!(layer, Item::Group(group) if group.items.is_empty()));
-        let mut below: Vec<_> = below.into_iter().map(|text| Entry { sample: None, text }).collect();
-        if settings.legend {
-            below.extend(legend::legend(self, spared));
-        }
-        (layers, below)
-    }
-
     /// The layers with what stands below the scene.
     fn with_key(&self, mut layers: Vec<Item>, below: &[Entry]) -> Vec<Item> {
         let Rect { min, max } = self.frame.area;
@@ -204,11 +179,6 @@ impl Figure<'_> {
             layers.push(Group::layer("key", items).into());
         }
         layers
-    }
-
-    /// A layer that ends where the frame does.
-    fn layer(&self, class: &str, items: Vec<Item>) -> Item {
-        Group::layer(class, items).clipped(self.frame.area.grown(2.0)).into()
     }
 }
 

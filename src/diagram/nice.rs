@@ -22,6 +22,16 @@ pub(super) fn label(value: f64) -> String {
     text.replace('-', "−")
 }
 
+/// Multiples of a step within an interval; none where the step is lost in rounding.
+pub(super) fn multiples(step: f64, min: f64, max: f64) -> Vec<f64> {
+    let first = (min / step).ceil();
+    let count = (max / step).floor() - first;
+    if !(count.is_finite() && (0.0..1000.0).contains(&count)) || first.abs() > 1e15 {
+        return Vec::new();
+    }
+    (0..=1000_u32).map(f64::from).take_while(|i| *i <= count).map(|i| (first + i) * step).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -42,5 +52,13 @@ mod tests {
         assert_eq!(label(-20.0), "−20");
         assert_eq!(label(-0.0), "0");
         assert_eq!(label(2e-12), "2e−12");
+    }
+
+    #[test]
+    fn multiples_stay_inside() {
+        assert_eq!(multiples(2.0, -3.0, 4.5), [-2.0, 0.0, 2.0, 4.0]);
+        assert!(multiples(1.0, 1e300, 1e301).is_empty());
+        assert!(multiples(1e-12, 1e12, 1e12 + 1.0).is_empty());
+        assert!(multiples(1.0, f64::NEG_INFINITY, f64::INFINITY).is_empty());
     }
 }

@@ -2,10 +2,12 @@ use glam::DVec2;
 
 use crate::analysis::ObjectImage;
 use crate::diagram::Figure;
-use crate::diagram::branches::Branch;
+use crate::diagram::branches::{Branch, generation};
 use crate::diagram::frame::clip;
+use crate::diagram::generations::Aged;
 use crate::diagram::room::{Room, centered};
 use crate::drawing::{Anchor, Color, Fill, Item, Path, Shape, Stroke, Text};
+use crate::trace::SegmentId;
 
 const SIZE: f64 = 12.0;
 /// Width of an arrow's shaft, pixels.
@@ -32,16 +34,20 @@ struct Arrow {
     color: Color,
     /// Whether light comes from its tip or gets there.
     is_real: bool,
+    /// How many hits lie behind the light that shows it.
+    generation: u32,
     class: &'static str,
 }
 
 /// The arrows of objects and of their images, dashed where no light gets.
-pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Item> {
-    all(figure).iter().flat_map(|arrow| drawn(figure, arrow)).collect()
+pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Aged> {
+    let drawn =
+        |arrow: &Arrow| drawn(figure, arrow).into_iter().map(|item| (arrow.generation, item)).collect::<Vec<_>>();
+    all(figure).iter().flat_map(drawn).collect()
 }
 
 /// The lines from the last hits back to virtual images.
-pub(super) fn lines_back(figure: &Figure<'_>) -> Vec<Item> {
+pub(super) fn lines_back(figure: &Figure<'_>) -> Vec<Aged> {
     let virtual_images = figure.optics.images.iter().filter(|image| !image.is_real).take(MOST);
     let lines = virtual_images.flat_map(|image| image.segments.iter().map(move |segment| (image, segment)));
     let lines = lines.filter_map(|(image, (ray, id))| {
@@ -52,14 +58,14 @@ pub(super) fn lines_back(figure: &Figure<'_>) -> Vec<Item> {
         let [a, b] = clip(from, to - from, 1.0, &figure.frame.area)?;
         let color = figure.styles.color(&Branch::plain(ray, segment, [a, b]));
         let stroke = Stroke::solid(color, 1.2).faded(0.6).dashed(&[2.0, 4.0]);
-        Some(Shape::stroked(Path::line(a, b), stroke, "extension").into())
+        Some((generation(ray, *id), Shape::stroked(Path::line(a, b), stroke, "extension").into()))
     });
     lines.collect()
 }
 
 /// What the author calls an object, and what its images are.
-pub(super) fn words(figure: &Figure<'_>, room: &mut Room) -> Vec<Item> {
-    let mut items: Vec<Item> = Vec::new();
+pub(super) fn words(figure: &Figure<'_>, room: &mut Room) -> Vec<Aged> {
+    let mut items: Vec<Aged> = Vec::new();
     for arrow in all(figure).iter().filter(|_| figure.scene.diagram.labels) {
         let Some(words) = &arrow.words else { continue };
         let color = arrow.color.toward(figure.palette.ink, 0.25);
@@ -67,7 +73,7 @@ pub(super) fn words(figure: &Figure<'_>, room: &mut Room) -> Vec<Item> {
         if let Some((_, middle)) = room.best(&text, &places(arrow, &text), OFF_LINES) {
             let text = centered(&text, middle);
             room.take(text.bounds());
-            items.push(text.into());
+            items.push((arrow.generation, text.into()));
         }
     }
     items
@@ -103,13 +109,15 @@ fn all(figure: &Figure<'_>) -> Vec<Arrow> {
         let object = source.object?;
         let [foot, tip] = [object.foot, object.tip].map(|p| figure.frame.place(p));
         let words = name(figure, k).map(str::to_owned);
-        Some(Arrow { foot, tip, words, color: color(figure, k), is_real: true, class: "object" })
+        Some(Arrow { foot, tip, words, color: color(figure, k), is_real: true, generation: 0, class: "object" })
     });
     let images = figure.optics.images.iter().map(|image| {
         let [foot, tip] = [image.foot, image.tip].map(|p| figure.frame.place(p));
         let words = name(figure, image.source).map(|_| kind(image).to_owned());
         let class = if image.is_real { "image real" } else { "image virtual" };
-        Arrow { foot, tip, words, color: color(figure, image.source), is_real: image.is_real, class }
+        let last = |(ray, id): &(usize, SegmentId)| figure.tree.rays.get(*ray).map(|ray| generation(ray, *id));
+        let generation = image.segments.iter().filter_map(last).max().unwrap_or(0);
+        Arrow { foot, tip, words, color: color(figure, image.source), is_real: image.is_real, generation, class }
     });
     objects.take(MOST).chain(images.take(MOST)).collect()
 }
@@ -129,7 +137,7 @@ fn name<'a>(figure: &'a Figure<'_>, source: usize) -> Option<&'a str> {
 /// The source's own color, or ink.
 fn color(figure: &Figure<'_>, source: usize) -> Color {
     let own = figure.scene.sources.get(source).and_then(|source| source.color);
-    own.map_or(figure.palette.ink, Color)
+    own.map_or(figure.palette.ink, |own| figure.palette.own_light(own))
 }
 
 /// Shaft and head.

@@ -1,6 +1,6 @@
 use crate::diagram::blend::Blend;
 use crate::drawing::Color;
-use crate::light::{Wavelength, readable_on_light, spectral_color};
+use crate::light::{Wavelength, gray, readable_on_dark, readable_on_light, spectral_color};
 use crate::scene::Theme;
 use crate::trace::Via;
 
@@ -93,6 +93,24 @@ impl Palette {
             (Blend::Whole, Theme::Dark) => Color::hex(0xff_ff_ff),
             (Blend::Whole, Theme::Light | Theme::Print) => self.ink,
             (Blend::Part(Color(pure)), _) => self.readable(pure),
+        }
+    }
+
+    /// The author's color for light: on a dark ground as bright as it must be, in print ink, where dashes tell rays apart.
+    pub(super) fn own_light(&self, own: [u8; 3]) -> Color {
+        match self.theme {
+            Theme::Light => Color(own),
+            Theme::Dark => Color(readable_on_dark(own, self.ground.0)),
+            Theme::Print => self.ink,
+        }
+    }
+
+    /// The author's color for a body: on a dark ground deep enough that rays and words stand out, in print gray.
+    pub(super) fn own_body(&self, own: [u8; 3]) -> Color {
+        match self.theme {
+            Theme::Light => Color(own),
+            Theme::Dark => Color(own).toward(self.ground, 0.75),
+            Theme::Print => Color(gray(own)),
         }
     }
 

@@ -2,11 +2,12 @@ use std::collections::BTreeMap;
 
 use crate::diagram::Figure;
 use crate::diagram::branches::{Branch, closed_stretch};
+use crate::diagram::generations::Aged;
 use crate::diagram::styles::{Styles, opacity, strength, together};
 use crate::drawing::{Group, Item, Path, Shape, Stroke, Whole, shortest};
 
 /// Branches that are few enough, each with its address and power.
-pub(super) fn rays(figure: &Figure<'_>) -> Vec<Item> {
+pub(super) fn rays(figure: &Figure<'_>) -> Vec<Aged> {
     let styles = &figure.styles;
     let mut fans: BTreeMap<usize, Vec<&Branch<'_>>> = BTreeMap::new();
     for branch in &figure.branches {
@@ -15,11 +16,12 @@ pub(super) fn rays(figure: &Figure<'_>) -> Vec<Item> {
         }
     }
     let items = figure.branches.iter().filter_map(|branch| {
-        match branch.fan.and_then(|fan| fans.get(&fan.id)) {
+        let item = match branch.fan.and_then(|fan| fans.get(&fan.id)) {
             None => Some(single(branch, styles.stroke(branch, strength(branch.share))).into()),
             // A fan stands where its strongest line would.
             Some(fan) => fan.last().is_some_and(|last| std::ptr::eq(*last, branch)).then(|| spectrum(styles, fan)),
-        }
+        };
+        item.map(|item| (branch.generation(), item))
     });
     items.collect()
 }

@@ -23,16 +23,10 @@ pub(super) struct Room {
 }
 
 impl Room {
-    /// Words keep off each other and the author's notes, and off lines where they can: outlines, marks and rays.
-    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>, marks: &[&[Item]]) -> Self {
+    /// Words keep off each other and the author's notes, and off lines where they can: outlines, rays and marks, which are
+    /// [added](Self::keep_off_item).
+    pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>) -> Self {
         let mut lines: Vec<[DVec2; 2]> = outlines.collect();
-        for item in marks.iter().copied().flatten() {
-            if let Item::Shape(shape) = item
-                && let [PathStep::MoveTo(a), PathStep::LineTo(b)] = shape.path.steps()
-            {
-                lines.push([*a, *b]);
-            }
-        }
         lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
         let notes = notes::notes(figure).into_iter();
         let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };
@@ -59,9 +53,18 @@ impl Room {
         self.lines.push(line);
     }
 
+    /// A mark more to keep off, if it is a straight line.
+    pub(super) fn keep_off_item(&mut self, item: &Item) {
+        self.lines.extend(straight(item));
+    }
+
     /// The cheapest of some middles with their costs for a text, `off` pixels from lines; `None` if every one is forbidden.
     pub(super) fn best(&self, text: &Text, places: &[(f64, DVec2)], off: f64) -> Option<(f64, DVec2)> {
-        let about = centered(text, DVec2::ZERO).bounds();
+        self.best_for(centered(text, DVec2::ZERO).bounds(), places, off)
+    }
+
+    /// The same for words whose rectangle about their middle is known.
+    pub(super) fn best_for(&self, about: Rect, places: &[(f64, DVec2)], off: f64) -> Option<(f64, DVec2)> {
         let rects: Vec<Rect> = places.iter().map(|(_, p)| about.moved(*p)).collect();
         let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
         let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all.grown(off))).collect();
@@ -75,6 +78,17 @@ impl Room {
             return FORBIDDEN;
         }
         lines.iter().filter(|line| crosses(line, &rect.grown(off_lines))).map(|_| CROSSING).sum()
+    }
+}
+
+/// A mark that is one straight line.
+fn straight(item: &Item) -> Option<[DVec2; 2]> {
+    match item {
+        Item::Shape(shape) => match shape.path.steps() {
+            [PathStep::MoveTo(a), PathStep::LineTo(b)] => Some([*a, *b]),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

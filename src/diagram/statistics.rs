@@ -25,11 +25,20 @@ impl Statistics {
             if let Item::Group(group) = layer
                 && MARKS.contains(&group.class.as_str())
             {
-                self.marks_drawn += group.items.len();
+                self.marks_drawn += marks(&group.items);
             }
         }
         self.font_used = layers.iter().any(has_words);
     }
+}
+
+/// How many marks a layer holds, those of all its generations.
+fn marks(items: &[Item]) -> usize {
+    let count = |item: &Item| match item {
+        Item::Group(group) if group.step.is_some() => marks(&group.items),
+        _ => 1,
+    };
+    items.iter().map(count).sum()
 }
 
 fn has_words(item: &Item) -> bool {

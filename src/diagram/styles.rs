@@ -6,7 +6,7 @@ use crate::diagram::palette::Palette;
 use crate::drawing::{Color, Stroke};
 use crate::light::Wavelength;
 use crate::scene::{RayColor, Scene, Theme};
-use crate::trace::RayTree;
+use crate::trace::{RayTree, Via};
 
 /// No ray is fainter, so that a share of 1 % is still seen on a projector.
 const FAINTEST: f64 = 0.22;
@@ -14,7 +14,7 @@ const FAINTEST: f64 = 0.22;
 const UNCROWDED: f64 = 14.0;
 /// More spectral lines than this are drawn thinner, so that a spectrum shows its colors.
 const THICK_LINES: f64 = 1.5;
-/// Dashes that tell up to six lines apart without color.
+/// Dashes that tell up to six kinds of rays apart without color.
 const PRINT_DASHES: [&[f64]; 6] = [&[], &[9.0, 3.0], &[3.0, 3.0], &[9.0, 3.0, 2.0, 3.0], &[14.0, 4.0], &[1.5, 2.5]];
 
 /// A branch as it looks where all lines of its fan run together.
@@ -39,6 +39,8 @@ pub(super) struct Styles<'a> {
     palette: Palette,
     /// Bits of every wavelength in nanometers; for numbers above 0 their order is the numbers'.
     lines: BTreeSet<u64>,
+    /// The authors' colors of sources, in the order of the sources; `None` for those without.
+    own_colors: Vec<Option<[u8; 3]>>,
     /// Factor on all widths.
     crowding: f64,
 }
@@ -48,7 +50,13 @@ impl<'a> Styles<'a> {
         let rays = &tree.rays;
         let lines: BTreeSet<u64> = rays.iter().map(|ray| ray.wavelength.nanometers().to_bits()).collect();
         let strong = rays.chunk_by(|a, b| (a.source, a.ray) == (b.source, b.ray)).count();
-        Self { scene, palette, lines, crowding: (UNCROWDED / number(strong)).sqrt().clamp(0.45, 1.0) }
+        let mut own_colors = Vec::new();
+        for source in &scene.sources {
+            if !own_colors.contains(&source.color) {
+                own_colors.push(source.color);
+            }
+        }
+        Self { scene, palette, lines, own_colors, crowding: (UNCROWDED / number(strong)).sqrt().clamp(0.45, 1.0) }
     }
 
     /// The line of a branch whose strength was rounded to `strength`.
@@ -79,7 +87,7 @@ impl<'a> Styles<'a> {
         let wavelength = branch.ray.wavelength;
         let own = self.scene.sources.get(branch.ray.source).and_then(|source| source.color);
         match (own, self.scene.diagram.color, branch.blend) {
-            (Some(own), ..) => Color(own),
+            (Some(own), ..) => palette.own_light(own),
             (None, RayColor::Power, _) => palette.power(branch.share),
             (None, RayColor::Via, _) => palette.via(branch.segment.via),
             (None, RayColor::Auto | RayColor::Wavelength, Some(blend)) => palette.blend(blend),
@@ -106,19 +114,51 @@ impl<'a> Styles<'a> {
         self.scene.diagram.theme == Theme::Dark
     }
 
-    /// Which dashes a branch has: solid, but for a few lines in print, where dashes stand for colors.
+    /// Which dashes a branch has: solid, but in print, where dashes stand for colors: the authors' if there are several,
+    /// else those of a few lines, or of the ways that light came about.
     pub(super) fn dash(&self, branch: &Branch<'_>) -> usize {
-        if branch.blend == Some(Blend::Whole) { 0 } else { self.dash_of(branch.ray.wavelength) }
+        if self.scene.diagram.theme != Theme::Print {
+            return 0;
+        }
+        let kind = if few(self.own_colors.len()) {
+            let own = self.scene.sources.get(branch.ray.source).map(|source| source.color);
+            self.own_colors.iter().position(|color| Some(*color) == own)
+        } else if self.scene.diagram.color == RayColor::Via {
+            Some(via_dash(branch.segment.via))
+        } else if branch.blend == Some(Blend::Whole) {
+            None
+        } else {
+            Some(self.dash_of(branch.ray.wavelength))
+        };
+        kind.unwrap_or(0)
     }
 
+    /// Which dashes stand for a line.
     fn dash_of(&self, wavelength: Wavelength) -> usize {
-        let few = (2..=PRINT_DASHES.len()).contains(&self.lines.len());
-        if !few || self.scene.diagram.theme != Theme::Print {
+        if !few(self.lines.len()) || self.scene.diagram.theme != Theme::Print {
             return 0;
         }
         let bits = wavelength.nanometers().to_bits();
         self.lines.iter().position(|line| *line == bits).unwrap_or(0)
     }
+
+    /// A sample of the line of rays that came about in one way.
+    pub(super) fn way(&self, via: Via) -> Stroke {
+        let stroke = Stroke::solid(self.palette.via(via), 2.0);
+        let is_dashed = self.scene.diagram.theme == Theme::Print && via_dash(via) > 0;
+        if is_dashed { stroke.dashed(PRINT_DASHES[via_dash(via)]) } else { stroke }
+    }
+}
+
+/// Whether so many kinds of rays are told apart by dashes.
+fn few(kinds: usize) -> bool {
+    (2..=PRINT_DASHES.len()).contains(&kinds)
+}
+
+/// In print reflected light is told from transmitted by its gray, totally reflected light, which is as dark as the
+/// source's, by dashes.
+fn via_dash(via: Via) -> usize {
+    if via == Via::TotalInternalReflection { 3 } else { 0 }
 }
 
 fn number(count: usize) -> f64 {

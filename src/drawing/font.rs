@@ -6,7 +6,7 @@ use glam::DVec2;
 use ttf_parser::{Face, OutlineBuilder};
 
 /// A face of the one family that figures use.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Font {
     /// Upright.
     #[default]
@@ -70,14 +70,24 @@ impl Font {
         pen.steps
     }
 
+    /// The whole face as a TrueType file.
+    #[must_use]
+    pub fn data(self) -> &'static [u8] {
+        match self {
+            Self::Regular => dejavu::sans::regular(),
+            Self::Bold => dejavu::sans::bold(),
+            Self::Oblique => dejavu::sans::oblique(),
+        }
+    }
+
     fn face(self) -> Option<&'static Face<'static>> {
         static FACES: [OnceLock<Option<Face<'static>>>; 3] = [const { OnceLock::new() }; 3];
-        let (cell, data) = match self {
-            Self::Regular => (&FACES[0], dejavu::sans::regular()),
-            Self::Bold => (&FACES[1], dejavu::sans::bold()),
-            Self::Oblique => (&FACES[2], dejavu::sans::oblique()),
+        let cell = match self {
+            Self::Regular => &FACES[0],
+            Self::Bold => &FACES[1],
+            Self::Oblique => &FACES[2],
         };
-        cell.get_or_init(|| Face::parse(data, 0).ok()).as_ref()
+        cell.get_or_init(|| Face::parse(self.data(), 0).ok()).as_ref()
     }
 }
 

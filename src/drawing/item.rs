@@ -3,7 +3,7 @@ use std::collections::BTreeSet;
 use crate::drawing::{Color, Fill, Lines, Path, Rect, Stroke, Text};
 
 /// A whole figure.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
     /// Width and height in pixels.
     pub size: [u32; 2],
@@ -48,6 +48,8 @@ pub struct Shape {
 /// Things that belong together, such as a layer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Group {
+    /// A name that no other group of the figure has, such as `rays-0`; empty for none.
+    pub name: String,
     /// Class names, by spaces; may be empty.
     pub class: String,
     /// Attributes such as `("data-body", "prism")`.
@@ -56,6 +58,8 @@ pub struct Group {
     pub clip: Option<Rect>,
     /// If given, its items are put together apart from what lies behind, and laid on that as a whole.
     pub whole: Option<Whole>,
+    /// The step of a build-up that adds it; `None` is there from the start.
+    pub step: Option<u32>,
     /// What is drawn, from back to front.
     pub items: Vec<Item>,
 }

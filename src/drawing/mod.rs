@@ -8,7 +8,9 @@ mod font;
 mod item;
 mod lines;
 mod number;
+mod panels;
 mod path;
+mod steps;
 mod style;
 mod text;
 

@@ -114,6 +114,20 @@ impl Path {
         self.steps.extend(other.steps);
     }
 
+    /// The same elsewhere.
+    #[must_use]
+    pub fn moved(&self, by: DVec2) -> Self {
+        let moved = |step: &PathStep| match *step {
+            PathStep::MoveTo(p) => PathStep::MoveTo(point(p + by)),
+            PathStep::LineTo(p) => PathStep::LineTo(point(p + by)),
+            PathStep::ArcTo { radius, large, sweep, to } => {
+                PathStep::ArcTo { radius, large, sweep, to: point(to + by) }
+            }
+            PathStep::Close => PathStep::Close,
+        };
+        Self { steps: self.steps.iter().map(moved).collect() }
+    }
+
     /// The steps in order.
     #[must_use]
     pub fn steps(&self) -> &[PathStep] {

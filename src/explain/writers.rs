@@ -82,12 +82,14 @@ pub fn write_latex(out: &mut impl Write, explanations: &[Explanation], part: Par
     writeln!(out, "\n\\end{{document}}")
 }
 
-const PREAMBLE: &str = r"\documentclass{article}
+const PREAMBLE: &str = r"\documentclass[a4paper]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
 \usepackage{textcomp}
 \usepackage{amsmath}
+\usepackage[margin=22mm]{geometry}
 \setlength{\parindent}{0pt}
+\sloppy
 \begin{document}
 ";
 

@@ -6,6 +6,8 @@ use super::{Incidence, renormalized};
 
 /// The reflected unit direction R = V + 2 C1 N for unit `v` and unit normal `n` against it.
 ///
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/reflection.svg"))]
+///
 /// Computed by components: V = S1 τ − C1 N turns into R = S1 τ + C1 N. At grazing incidence (C1 = 0) R is V, along the
 /// boundary.
 ///

@@ -64,6 +64,8 @@ impl Refraction {
 /// Snell's law, n_i sin θ_i = n_t sin θ_t: refracts the unit direction `v` at a boundary with unit normal `n` against it
 /// (N·V < 0), from absolute index `n_i` into `n_t`, both at least 1.
 ///
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/refraction.svg"))]
+///
 /// Equal indices return `v` itself, bit for bit, at every angle. At grazing incidence (C1 = 0) into a denser medium the
 /// ray is refracted at the critical angle of the way back. (n_t C2)² ≤ 0 is total internal reflection, and only a thinner
 /// medium can give it. Module [`laws`](super) says why the law is computed by components.

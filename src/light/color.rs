@@ -14,6 +14,8 @@ const VISIBLE: (f64, f64) = (380.0, 780.0);
 const FAINTEST: f64 = 0.2;
 /// The least contrast ratio with white that keeps a line readable: the guideline's value for graphics.
 const READABLE: f64 = 3.0;
+/// The least contrast ratio with a dark ground: the guideline's value for text, since thin bright lines lose on dark.
+const READABLE_ON_DARK: f64 = 4.5;
 
 /// Linear light in the sRGB primaries; the screen shows 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +50,32 @@ pub fn readable_on_light(color: [u8; 3]) -> [u8; 3] {
     let linear = Linear(color.map(decoded));
     let limit = 1.05 / READABLE - 0.05;
     if linear.luminance() <= limit { color } else { linear.scaled(limit / linear.luminance()).encoded(f64::floor) }
+}
+
+/// The color itself if it is readable on a dark `ground`, else the same hue with as much white as it takes (contrast ratio
+/// at least 4.5); white where even that does not do.
+///
+/// # Source
+/// As [`readable_on_light`], with the guideline's least ratio for text.
+#[must_use]
+pub fn readable_on_dark(color: [u8; 3], ground: [u8; 3]) -> [u8; 3] {
+    let linear = Linear(color.map(decoded));
+    let limit = READABLE_ON_DARK * (Linear(ground.map(decoded)).luminance() + 0.05) - 0.05;
+    let luminance = linear.luminance();
+    if luminance >= limit {
+        return color;
+    }
+    let white = ((limit - luminance) / (1.0 - luminance)).min(1.0);
+    Linear(linear.0.map(|channel| channel + white * (1.0 - channel))).encoded(f64::ceil)
+}
+
+/// The gray of the same luminance.
+///
+/// # Source
+/// IEC 61966-2-1:1999: transfer curve and primaries, whose luminances are weighted.
+#[must_use]
+pub fn gray(color: [u8; 3]) -> [u8; 3] {
+    Linear([Linear(color.map(decoded)).luminance(); 3]).encoded(f64::round)
 }
 
 /// Brightness of the strongest channel, linear, 1 but toward the ends of the visible range.
@@ -189,6 +217,27 @@ mod tests {
         assert_eq!(readable_on_light(spectral_color(Wavelength::SODIUM_D)), [232, 117, 0]);
         assert_eq!(readable_on_light([199, 0, 0]), [199, 0, 0]);
         assert_eq!(readable_on_light([255; 3]), [148; 3]);
+    }
+
+    #[test]
+    fn colors_are_lifted_on_dark() {
+        let ground = [16, 22, 29];
+        for color in [[0, 0, 0], [21, 101, 168], [200, 32, 47], [0, 0, 255], [27, 122, 67]] {
+            let lifted = readable_on_dark(color, ground);
+            assert!((luminance(lifted) + 0.05) / (luminance(ground) + 0.05) >= READABLE_ON_DARK, "{color:?}");
+            assert!(color == [0; 3] || (hue(lifted) - hue(color)).abs() < 8.0, "{color:?} {lifted:?}");
+        }
+        assert_eq!(readable_on_dark([255, 214, 102], ground), [255, 214, 102], "bright enough");
+        assert_eq!(readable_on_dark([0; 3], [200; 3]), [255; 3], "no dark ground");
+    }
+
+    #[test]
+    fn gray_has_the_luminance_of_its_color() {
+        for color in [[255, 0, 0], [228, 205, 164], [0, 0, 255], [255; 3], [0; 3]] {
+            let gray = gray(color);
+            assert!(gray[0] == gray[1] && gray[1] == gray[2], "{color:?}");
+            assert!((luminance(gray) - luminance(color)).abs() < 5e-3, "{color:?}");
+        }
     }
 
     #[test]

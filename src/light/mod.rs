@@ -5,7 +5,7 @@ mod fraunhofer;
 mod power;
 mod wavelength;
 
-pub use color::{readable_on_light, spectral_color};
+pub use color::{gray, readable_on_dark, readable_on_light, spectral_color};
 pub use fraunhofer::{FRAUNHOFER, SpectralLine};
 pub use power::Power;
 pub use wavelength::Wavelength;

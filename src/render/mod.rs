@@ -1,20 +1,26 @@
 //! Display list to file formats. Nothing here knows what a ray is.
 
+mod arcs;
 mod decimal;
 mod encode;
+mod fingerprint;
 mod mix;
+#[cfg(feature = "pdf")]
+mod pdf;
 mod png;
 mod samples;
 mod skia;
 mod svg;
 
+#[cfg(feature = "pdf")]
+pub use pdf::pdf;
 pub use png::{RenderError, png};
 pub use svg::{svg, svg_outlined};
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagram::laid_out;
+    use crate::diagram::{Margins, laid_out};
     use crate::scene::Scene;
 
     /// Scenes whose view cuts rays off, drawn singly and by style.
@@ -44,7 +50,8 @@ mod tests {
             let scene = Scene::from_ron(text).unwrap();
             let system = crate::compile(&scene).unwrap().system;
             let tree = crate::trace(&system).tree;
-            let [(culled, spared), (whole, all)] = [false, true].map(|all| laid_out(&scene, &system, &tree, all));
+            let [(culled, spared, _), (whole, all, _)] =
+                [false, true].map(|all| laid_out(&scene, &system, &tree, Margins::default(), all));
             assert!(spared.segments_outside_view > 20 && all.segments_outside_view == 0, "{spared:?}");
             assert_eq!(spared.segments_drawn + spared.segments_outside_view, all.segments_drawn);
             assert_eq!(

@@ -38,7 +38,7 @@ impl fmt::Display for RenderError {
             Self::Size { width, height } => {
                 write!(f, "a picture of {width} × {height} pixels cannot be made; the limit is {MAX_PIXELS:e} pixels")
             }
-            Self::Encode(reason) => write!(f, "the PNG encoder failed: {reason}"),
+            Self::Encode(reason) => write!(f, "the encoder failed: {reason}"),
         }
     }
 }

@@ -1,13 +1,10 @@
 //! The display list's shapes in tiny-skia's terms.
 
 use glam::DVec2;
-use kurbo::{Arc, Point, SvgArc, Vec2};
 use tiny_skia::{LineCap, LineJoin, PathBuilder, StrokeDash};
 
 use crate::drawing::{Cap, Glyph, GlyphStep, Path, PathStep, Stroke};
-
-/// Largest distance of a cubic curve from the arc that it stands for, pixels before scaling.
-const ARC_TOLERANCE: f64 = 0.01;
+use crate::render::arcs::cubics;
 
 pub(super) fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &Glyph) {
     let place = |p: DVec2| single(glyph.at + p * glyph.size);
@@ -44,8 +41,11 @@ pub(super) fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
                 pen.line_to(x, y);
                 last = p;
             }
-            PathStep::ArcTo { radius, large, sweep, to } => {
-                draw_arc(&mut pen, last, radius, [large, sweep], to);
+            PathStep::ArcTo { to, .. } => {
+                match cubics(last, step) {
+                    Some(curves) => curves.into_iter().for_each(|curve| cubic_to(&mut pen, curve)),
+                    None => pen.line_to(single(to).0, single(to).1),
+                }
                 last = to;
             }
             PathStep::Close => pen.close(),
@@ -54,19 +54,9 @@ pub(super) fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
     pen.finish()
 }
 
-fn draw_arc(pen: &mut PathBuilder, from: DVec2, radius: f64, [large_arc, sweep]: [bool; 2], to: DVec2) {
-    let point = |p: DVec2| Point::new(p.x, p.y);
-    let radii = Vec2::new(radius, radius);
-    let arc = SvgArc { from: point(from), to: point(to), radii, x_rotation: 0.0, large_arc, sweep };
-    let Some(arc) = Arc::from_svg_arc(&arc) else {
-        let (x, y) = single(to);
-        return pen.line_to(x, y);
-    };
-    let single = |p: Point| single(DVec2::new(p.x, p.y));
-    arc.to_cubic_beziers(ARC_TOLERANCE, |c, d, p| {
-        let (c, d, p) = (single(c), single(d), single(p));
-        pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
-    });
+fn cubic_to(pen: &mut PathBuilder, curve: [DVec2; 3]) {
+    let [c, d, p] = curve.map(single);
+    pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
 }
 
 pub(super) fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {

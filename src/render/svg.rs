@@ -10,6 +10,7 @@ use glam::DVec2;
 use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Lines, Path, PathStep, Rect, Shape, Stroke, Text};
 use crate::drawing::{GlyphStep, Whole, hundredths, pixel, shortest};
 use crate::render::decimal::{push_line, push_point};
+use crate::render::fingerprint::fingerprint;
 
 /// Bytes of a line among very many, such as `M123.45 67.89L234.5 78`.
 const USUAL_LINE: usize = 28;
@@ -25,6 +26,9 @@ pub fn svg(drawing: &Drawing) -> String {
 pub fn svg_outlined(drawing: &Drawing) -> String {
     document(drawing, write_outlines)
 }
+
+/// Stands for the figure itself in names until all of it is written; no text holds it.
+const FIGURE: &str = "\u{1}";
 
 /// Writes words.
 type Pen = fn(&mut String, &Text);
@@ -45,7 +49,17 @@ fn document(drawing: &Drawing, pen: Pen) -> String {
     }
     drawing.items.iter().for_each(|item| write_item(&mut out, item, false, pen));
     out.push_str("</svg>\n");
-    out
+    named(out)
+}
+
+/// The document with a name for the figure that is made of all that it shows, so that ids differ where several figures are set
+/// into one page.
+fn named(document: String) -> String {
+    if !document.contains(FIGURE) {
+        return document;
+    }
+    let name = format!("{:08x}", fingerprint(document.as_bytes()));
+    document.replace(FIGURE, &name)
 }
 
 /// `screened` items add up as lights do.
@@ -60,6 +74,9 @@ fn write_item(out: &mut String, item: &Item, screened: bool, pen: Pen) {
 
 fn write_group(out: &mut String, group: &Group, pen: Pen) {
     out.push_str("<g");
+    if !group.name.is_empty() {
+        push(out, format_args!(" id=\"{}-{FIGURE}\"", escape(&group.name)));
+    }
     attributes(out, &group.class, &group.data);
     let adds_up = group.whole.is_some_and(|whole| whole.adds_up);
     if let Some(Whole { opacity, .. }) = group.whole.filter(|whole| whole.opacity < 1.0) {
@@ -327,6 +344,20 @@ mod tests {
         text.spans.push(crate::drawing::Span { text: " = 30°".into(), script: crate::drawing::Script::Normal });
         let out = svg(&drawing(vec![text.into()]));
         assert!(out.contains("θ<tspan dy=\"2\" font-size=\"7.2\">1</tspan><tspan dy=\"-2\" font-size=\"10\"> = 30°"));
+    }
+
+    #[test]
+    fn names_differ_from_figure_to_figure() {
+        let group = |name: &str| Item::from(Group { name: name.into(), ..Group::default() });
+        let ids = |items| {
+            let out = svg(&drawing(items));
+            let document = roxmltree::Document::parse(&out).unwrap();
+            document.descendants().filter_map(|node| node.attribute("id").map(String::from)).collect::<Vec<_>>()
+        };
+        let (one, other) = (ids(vec![group("rays-0"), group("rays-1")]), ids(vec![group("rays-0")]));
+        assert!(one[0].starts_with("rays-0-") && one[0][7..] == one[1][7..], "{one:?}");
+        assert_ne!(one[0], other[0]);
+        assert_eq!(ids(vec![group("")]), Vec::<String>::new());
     }
 
     #[test]

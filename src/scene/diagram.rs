@@ -25,6 +25,13 @@ pub struct DiagramSettings {
     pub legend: bool,
     /// Dashed extensions of rays: to where they seem to come from, and where they would have gone.
     pub extensions: bool,
+    /// Pairs of branches by their addresses, `SOURCE.RAY[@NM]:PATH`, whose deviation δ is marked: the angle from the first
+    /// one's direction to the second's.
+    pub deviations: Vec<[String; 2]>,
+    /// Half a circle of degrees on the light's side and half a one behind, at the hits whose angles are marked.
+    pub protractor: bool,
+    /// Optical path between the marks of equal optical path, mm; no marks if `None`.
+    pub wavefronts: Option<f64>,
     /// Optical axes of lenses and curved mirrors.
     pub optical_axis: bool,
     /// Focal points of lenses and curved mirrors, and centers of curvature of the mirrors.
@@ -53,6 +60,9 @@ impl Default for DiagramSettings {
             arrows: true,
             legend: true,
             extensions: false,
+            deviations: Vec::new(),
+            protractor: false,
+            wavefronts: None,
             optical_axis: true,
             focal_points: false,
             principal_planes: false,

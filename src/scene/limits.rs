@@ -18,6 +18,8 @@ pub const MAX_LINES: usize = 10_000;
 pub const MAX_SEGMENTS: u64 = 1_000_000_000;
 /// Most notes on a figure.
 pub const MAX_NOTES: usize = 10_000;
+/// Most deviations marked in a figure.
+pub const MAX_DEVIATIONS: usize = 100;
 /// Smallest width and height of a figure, in pixels.
 pub const MIN_PIXELS: u32 = 16;
 /// Largest width and height of a figure, in pixels.

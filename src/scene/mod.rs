@@ -21,8 +21,8 @@ pub use axis::{Imaging, OpticalAxis, facing};
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
 pub use limits::{
-    MAX_BODIES, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_OBJECTS, MAX_PIXELS, MAX_POINTS, MAX_RAYS,
-    MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
+    MAX_BODIES, MAX_DEVIATIONS, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_OBJECTS, MAX_PIXELS, MAX_POINTS,
+    MAX_RAYS, MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
 };
 pub use listing::render_problems;
 pub use medium::Medium;
@@ -34,7 +34,13 @@ pub use tracing::{SecondaryRays, TraceSettings};
 
 /// A whole scene, as its file describes it.
 ///
-/// Lengths are millimeters, angles degrees counter-clockwise, x to the right and y up.
+/// Lengths are millimeters, angles degrees counter-clockwise, x to the right and y up. A file and its figure:
+///
+/// ```ron
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/scene.ron"))]
+/// ```
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/scene.svg"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Heading of the figure; may be empty.

@@ -42,8 +42,8 @@ pub trait Visitor {
     fn segment(&mut self, ray: &TracedRay, segment: Segment);
 }
 
-/// Traces every ray of a system and keeps the tree. Rays are traced on all processors; the result does not depend on how many
-/// there are.
+/// Traces every ray of a system and keeps the tree; [`RayTree`] shows one. Rays are traced on all processors; the result does
+/// not depend on how many there are.
 #[must_use]
 pub fn trace(system: &OpticalSystem) -> Trace {
     trace_watched(system, &|_| {})

@@ -5,6 +5,11 @@ use crate::light::{Power, Wavelength};
 use crate::numerics::atan2_degrees;
 
 /// All rays of a scene with their branches.
+///
+/// At each hit up to two segments begin, so that the segments of a ray are a tree. [`TracedRay::address`] names a branch by
+/// the letters on the way to it.
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/ray-tree.svg"))]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RayTree {
     /// One entry per source ray and line, in the order of sources, rays and lines.
@@ -100,6 +105,11 @@ pub enum Ending {
 }
 
 /// What happened where a segment met a boundary.
+///
+/// Its normal N points against the light, V, and its angles count from N. Past the critical angle θc there is no
+/// transmitted light:
+///
+#[cfg_attr(doc, doc = include_str!("../../docs/figures/total-reflection.svg"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// The body, by its place in the scene.

@@ -25,8 +25,8 @@ fn render_to_a_file_follows_its_extension() {
     assert_png(&fs::read(place.path("x.PNG")).unwrap());
     assert_eq!(place.run(&["render", "a.ron", "-o", "picture", "--format", "png"]).clean(), "picture\n");
     assert_png(&fs::read(place.path("picture")).unwrap());
-    place.run(&["render", "a.ron", "-o", "x.pdf"]).refused("neither svg nor png");
-    place.run(&["render", "a.ron", "-o", "x"]).refused("neither svg nor png");
+    place.run(&["render", "a.ron", "-o", "x.gif"]).refused("none of svg, png and pdf");
+    place.run(&["render", "a.ron", "-o", "x"]).refused("none of svg, png and pdf");
     assert_eq!(place.files(), ["a.ron", "picture", "x.PNG", "x.svg"]);
 }
 
@@ -94,6 +94,33 @@ fn render_takes_a_size_a_scale_and_no_ground() {
         let refused = place.run(&["render", "a.ron", &wrong.join("=")]).status(2);
         assert!(refused.stderr().contains("needed, such as"), "{}", refused.stderr());
     }
+}
+
+#[test]
+fn render_warns_of_a_mark_that_cannot_be_made() {
+    let text =
+        SCENE.trim_end().strip_suffix(')').unwrap().to_owned() + "\ndiagram: (deviations: [(\"0.0:\", \"0.9:t\")]))";
+    let place = Place::with(&[("a.ron", &text)]);
+    let run = place.run(&["render", "a.ron"]);
+    assert!(
+        run.stderr().contains(": warning: this deviation is not marked: there is no ray \"0.9:t\""),
+        "{}",
+        run.stderr()
+    );
+    assert!(run.stderr().starts_with("a.ron:") && run.stdout().contains("a.svg"), "{}", run.stderr());
+    run.status(0);
+}
+
+#[test]
+fn render_takes_a_theme() {
+    let place = Place::with(&[("a.ron", SCENE)]);
+    for (theme, ground) in [("light", "#ffffff"), ("dark", "#10161d"), ("print", "#ffffff")] {
+        place.run(&["render", "a.ron", "-o", "x.svg", "--theme", theme]).clean();
+        let svg = fs::read_to_string(place.path("x.svg")).unwrap();
+        assert!(svg.contains(&format!("fill=\"{ground}\"")), "{theme}");
+        assert_eq!(svg.contains("stroke=\"#000000\""), theme == "print", "{theme}");
+    }
+    place.run(&["render", "a.ron", "--theme", "sepia"]).status(2);
 }
 
 #[test]

@@ -8,8 +8,7 @@ use crate::page::{pages, root};
 fn links_between_pages_lead_somewhere() {
     for page in pages() {
         let here = root().join(&page.name);
-        let targets = page.prose.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-        for target in targets.filter(|target| !target.contains("://")) {
+        for target in page.targets().filter(|target| !target.contains("://")) {
             let (file, heading) = target.split_once('#').unwrap_or((target, ""));
             let file = if file.is_empty() { here.clone() } else { here.parent().unwrap().join(file) };
             assert!(file.exists(), "{}: {target}", page.name);

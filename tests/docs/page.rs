@@ -64,6 +64,11 @@ impl Page {
         format!("{}:{}", self.name, block.line)
     }
 
+    /// Where its links and pictures lead.
+    pub(crate) fn targets(&self) -> impl Iterator<Item = &str> {
+        self.prose.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+    }
+
     /// The words in inline code.
     pub(crate) fn code_words(&self) -> BTreeSet<String> {
         self.prose.lines().flat_map(|line| line.split('`').skip(1).step_by(2)).flat_map(words).collect()

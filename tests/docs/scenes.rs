@@ -38,7 +38,7 @@ fn every_fragment_is_part_of_a_scene() {
 fn every_block_has_a_known_mark() {
     for page in pages() {
         for block in &page.blocks {
-            let known = ["ron", "ron,fragment", "sh", "text", "json", "csv", "rust", "toml", "math"];
+            let known = ["ron", "ron,fragment", "sh", "sh fails", "text", "json", "csv", "rust", "toml", "math"];
             assert!(known.contains(&block.mark.as_str()), "{}: {}", page.place(block), block.mark);
         }
     }

@@ -18,6 +18,7 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("lenses/beam-expander", systems::the_beam_leaves_parallel_and_three_times_as_wide),
     ("lenses/biconcave", singlets::a_biconcave_lens_has_a_virtual_focus),
     ("lenses/biconvex", singlets::a_biconvex_lens_focuses_where_the_lensmaker_says),
+    ("lenses/caustic-on-screen", aberrations::the_screen_is_brightest_where_it_cuts_the_caustic),
     ("lenses/chromatic-aberration", aberrations::blue_crosses_before_red),
     ("lenses/cooke-triplet", systems::three_fields_pass_the_stop_and_are_sharp),
     ("lenses/depth-of-field", systems::only_the_far_point_is_sharp_on_the_film),
@@ -32,5 +33,6 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("lenses/principal-rays", ideal::three_principal_rays_meet_in_the_image),
     ("lenses/relay", systems::a_relay_images_upside_down_by_the_ratio_of_focal_lengths),
     ("lenses/spherical-aberration", aberrations::rim_rays_cross_earlier),
+    ("lenses/wavefronts", singlets::all_ways_to_the_focus_take_equally_long),
     ("lenses/thick-lens", systems::distances_count_from_the_principal_planes),
 ];

@@ -1,13 +1,15 @@
 //! Scenes of `scenes/prisms`.
 
 use glam::DVec2;
+use snellius::analysis::{Bundle, irradiance};
 use snellius::numerics::Turn;
 use snellius::scene::{Direction, Light};
 use snellius::trace::{Segment, TracedRay};
 
 use crate::Lesson;
 use crate::measure::{
-    along, asin, changed, exit, index, index_at, near, offset, only_ray, path, ray, sin, tan, theta_i, theta_t, turn,
+    along, asin, changed, cos, exit, index, index_at, near, offset, only_ray, path, ray, sin, tan, theta_i, theta_t,
+    turn,
 };
 use crate::support::{Run, segment};
 
@@ -17,6 +19,7 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("prisms/corner-reflector", every_ray_returns),
     ("prisms/dove", inverted_and_not_turned),
     ("prisms/hollow-in-water", turned_toward_the_apex),
+    ("prisms/hydrogen-lines", each_line_has_a_place_of_its_own),
     ("prisms/minimum-deviation", the_symmetric_ray_is_turned_least),
     ("prisms/penta", turned_by_90_however_it_is_held),
     ("prisms/porro", sent_back_with_top_and_bottom_swapped),
@@ -202,4 +205,32 @@ fn cauchys_formula_holds_where_it_was_fitted(run: &Run) {
     near(less[1], 0.21, 5e-3);
     near(less[2], 0.0, 1e-5);
     near(less[3], 0.0, 1e-5);
+}
+
+/// Where the lines land follows from the index: δ = θ_i + asin(n sin(60° − asin(sin θ_i/n))) − 60°.
+fn each_line_has_a_place_of_its_own(run: &Run) {
+    let screen = &irradiance(&run.system, &run.trace.tree)[0];
+    assert_eq!(screen.curves.len(), 3);
+    let mut last = 0.0;
+    for curve in &screen.curves {
+        let n = index_at("N-SF11", curve.wavelength);
+        let beam = Bundle::of(&run.trace.tree, 0, "tt").line(curve.wavelength);
+        // The left face's normal points to 150°, and the light's way back to 213°.
+        let theta_i = 33.0 + 30.0;
+        let deviation = theta_i + asin(n * sin(60.0 - asin(sin(theta_i) / n))) - 60.0;
+        assert_eq!(beam.rays().len(), 6);
+        for ray in beam.rays() {
+            near(turn(Turn::degrees(33.0).direction(), ray.direction), -deviation, 1e-12);
+        }
+        let lit: Vec<_> = screen.parts(curve).filter(|(_, value)| *value > 0.0).collect();
+        let ([begin, _], [_, end]) = (lit.first().unwrap().0, lit.last().unwrap().0);
+        assert!(begin > last + 2.0, "the screen is dark between the lines");
+        last = end;
+        let power: f64 = lit.iter().map(|([begin, end], value)| value * (end - begin)).sum();
+        near(power, 1.0 / 3.0, 1e-14);
+        // All of the beam's width, seen from a screen that stands askew to it, and one step more.
+        let at_exit = |k: usize| beam.rays()[k].from;
+        let width = (at_exit(5) - at_exit(0)).perp_dot(beam.rays()[0].direction).abs() / cos(33.0 - deviation);
+        near(end - begin, 1.2 * width, 2.0 * screen.length / 240.0);
+    }
 }

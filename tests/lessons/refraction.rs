@@ -18,9 +18,34 @@ pub(crate) const LESSONS: &[Lesson] = &[
     ("refraction/index-matching", equal_indices_leave_rays_alone),
     ("refraction/into-denser", bends_toward_the_normal),
     ("refraction/into-thinner", bends_away_from_the_normal),
+    ("refraction/protractor", the_half_disk_bends_only_at_its_flat_face),
     ("refraction/slab-displacement", displaced_and_not_turned),
     ("refraction/slab-reflections", parallel_rays_in_geometric_series),
+    ("refraction/wavefronts", wavefronts_stay_across_the_rays),
 ];
+
+fn the_half_disk_bends_only_at_its_flat_face(run: &Run) {
+    let ray = only_ray(run);
+    near(theta_i(ray, ""), 0.0, 1e-9);
+    near(theta_i(ray, "t"), 35.0, 1e-3);
+    near(theta_t(ray, "t"), asin(1.5 * sin(theta_i(ray, "t"))), 1e-12);
+    near(theta_t(ray, "t"), 59.4, 0.05);
+}
+
+/// Points of equal optical path on neighboring rays: the line through them stands across the rays before and behind.
+fn wavefronts_stay_across_the_rays(run: &Run) {
+    let after = |number: usize, optical_path: f64| {
+        let (entry, inside) = (segment(ray(run, 0, number), ""), segment(ray(run, 0, number), "t"));
+        inside.from + inside.direction * ((optical_path - entry.optical_path) / inside.medium_index)
+    };
+    let entry = segment(ray(run, 0, 0), "").optical_path.max(segment(ray(run, 0, 8), "").optical_path);
+    let direction = segment(ray(run, 0, 4), "t").direction;
+    for number in 0..8 {
+        near(direction.dot(after(number + 1, entry + 5.0) - after(number, entry + 5.0)), 0.0, 1e-12);
+        near((after(number, entry + 10.0) - after(number, entry + 5.0)).length(), 5.0 / 1.5, 1e-12);
+    }
+    near(5.0 / 1.5, 3.3, 0.05);
+}
 
 fn bends_toward_the_normal(run: &Run) {
     let n = index("N-BK7");

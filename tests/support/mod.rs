@@ -3,6 +3,7 @@
 
 pub mod figures;
 pub mod random;
+pub mod recorded;
 pub mod tables;
 pub mod wide;
 

@@ -1,7 +1,7 @@
 use super::body::check_shares;
 use super::checker::{Checker, Text, show, show_point};
 use crate::scene::{
-    DiagramSettings, MAX_PIXELS, MAX_SEGMENTS, MIN_PIXELS, Problem, SecondaryRays, TraceSettings, View,
+    DiagramSettings, MAX_DEVIATIONS, MAX_PIXELS, MAX_SEGMENTS, MIN_PIXELS, Problem, SecondaryRays, TraceSettings, View,
 };
 
 /// How far rays are followed.
@@ -22,6 +22,10 @@ pub(super) fn check_diagram(c: &mut Checker, diagram: &DiagramSettings) {
         c.count(format_args!("diagram.size[{k}]"), what, u64::from(diagram.size[k]), bounds);
     }
     check_fraction(c, "diagram.faintest", "`faintest`", diagram.faintest);
+    c.size("diagram.deviations", "a figure", "deviations", diagram.deviations.len(), [0, MAX_DEVIATIONS]);
+    if let Some(step) = diagram.wavefronts {
+        c.length("diagram.wavefronts", "the optical path between wavefronts", step);
+    }
     if let View::Box(first, second) = diagram.view {
         let path = "diagram.view";
         let sound = c.point(format_args!("{path}.corners[0]"), "the first corner", first)

@@ -5,7 +5,7 @@ use super::variant::Form;
 use crate::scene::{DiagramSettings, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
 
 const TRACE: [&str; 4] = ["secondary_rays", "max_depth", "min_power", "max_segments"];
-const DIAGRAM: [&str; 17] = [
+const DIAGRAM: [&str; 20] = [
     "size",
     "view",
     "theme",
@@ -17,6 +17,9 @@ const DIAGRAM: [&str; 17] = [
     "arrows",
     "legend",
     "extensions",
+    "deviations",
+    "protractor",
+    "wavefronts",
     "optical_axis",
     "focal_points",
     "principal_planes",
@@ -80,6 +83,9 @@ impl Read for DiagramSettings {
             arrows: f.or(r, "arrows", d.arrows),
             legend: f.or(r, "legend", d.legend),
             extensions: f.or(r, "extensions", d.extensions),
+            deviations: f.or(r, "deviations", d.deviations),
+            protractor: f.or(r, "protractor", d.protractor),
+            wavefronts: f.optional(r, "wavefronts"),
             optical_axis: f.or(r, "optical_axis", d.optical_axis),
             focal_points: f.or(r, "focal_points", d.focal_points),
             principal_planes: f.or(r, "principal_planes", d.principal_planes),
@@ -104,6 +110,28 @@ impl Read for [u32; 2] {
 
     fn stand_in() -> Self {
         [0; 2]
+    }
+}
+
+impl Read for Vec<[String; 2]> {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        r.each(node, "pairs of addresses")
+    }
+
+    fn stand_in() -> Self {
+        Self::new()
+    }
+}
+
+/// Two branches by their addresses.
+impl Read for [String; 2] {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let help = "write the addresses that `snellius trace` shows: `(\"0.0:\", \"0.0:tt\")`";
+        r.pair::<String>(node, "two branches `(\"SOURCE.RAY:PATH\", \"SOURCE.RAY:PATH\")`", help)
+    }
+
+    fn stand_in() -> Self {
+        Self::default()
     }
 }
 

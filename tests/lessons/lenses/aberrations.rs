@@ -1,5 +1,6 @@
 //! What keeps a lens from a perfect focus: round faces, color, flat facets.
 
+use snellius::analysis::irradiance;
 use snellius::light::Wavelength;
 use snellius::trace::TracedRay;
 
@@ -115,4 +116,26 @@ pub(crate) fn facets_bring_strips_not_a_focus(run: &Run) {
     };
     assert_eq!(directions("upper"), 17, "the true lens turns every ray by its own angle");
     assert!(directions("lower") <= 9, "facets turn whole strips: {} directions", directions("lower"));
+}
+
+/// Neighbors cross on the screen where the landing place, as a function of the height, turns round.
+pub(crate) fn the_screen_is_brightest_where_it_cuts_the_caustic(run: &Run) {
+    let screen = &irradiance(&run.system, &run.trace.tree)[0];
+    let place = |ray: &TracedRay| ray.segments.last().unwrap().hit.unwrap().position.unwrap();
+    let places: Vec<f64> = run.trace.tree.rays.iter().map(place).collect();
+    let lowest = places.iter().copied().fold(f64::INFINITY, f64::min);
+    let turns = places.windows(3).position(|three| three[1] < three[0] && three[1] < three[2]).unwrap();
+    assert_eq!(places[turns + 1], lowest, "the turning place is the rim of the spot");
+    assert!(turns > 0 && turns < 20, "and not the beam's own rim");
+    let rays = [turns, turns + 1].map(|number| *run.trace.tree.rays[number].segments.last().unwrap());
+    let [a, b] = rays.map(|segment| (segment.from, segment.direction));
+    let along = (b.0 - a.0).perp_dot(b.1) / a.1.perp_dot(b.1);
+    assert!(((a.0 + along * a.1).x - 54.0).abs() < 1.5, "neighbors cross near the screen");
+    let parts: Vec<_> = screen.parts(&screen.curves[0]).collect();
+    let brightest = parts.iter().copied().reduce(|a, b| if b.1 > a.1 { b } else { a }).unwrap();
+    let width = brightest.0[1] - brightest.0[0];
+    let from_rim = |position: f64| (position - lowest).min(screen.length - lowest - position).abs();
+    assert!(from_rim(0.5 * (brightest.0[0] + brightest.0[1])) < 1.5 * width, "{brightest:?}");
+    let middle = parts[parts.len() / 2].1;
+    assert!(middle > 0.0 && middle < 0.25 * brightest.1, "{middle} and {brightest:?}");
 }

@@ -1,10 +1,10 @@
 //! Single lenses and where they focus.
 
-use snellius::scene::{Medium, Scene, Substance};
+use snellius::scene::{Light, Medium, Scene, Substance};
 
 use crate::measure::{changed, index};
 use crate::rays::{
-    Face, assert_cross_as_computed, assert_near, focus, is_ahead, lensmaker, narrowed, out, rays, slope, x_at,
+    Face, assert_cross_as_computed, assert_near, focus, is_ahead, lensmaker, narrowed, out, rays, slope, spread, x_at,
 };
 use crate::support::Run;
 
@@ -15,6 +15,27 @@ pub(crate) fn a_biconvex_lens_focuses_where_the_lensmaker_says(run: &Run) {
     assert_near(focus(run, "beam", 0.0), 3.0 + back, 1e-6, "focus");
     let faces = [Face { vertex: -3.0, radius: 50.0, index: n }, Face { vertex: 3.0, radius: -50.0, index: 1.0 }];
     assert_cross_as_computed(run, "beam", 0.0, &faces);
+}
+
+/// Plane wavefronts leave as arcs about the focus: near the axis the optical paths to it are equal, farther out they differ
+/// by the aberration, which grows with the fourth power of the height.
+pub(crate) fn all_ways_to_the_focus_take_equally_long(run: &Run) {
+    let focus = glam::DVec2::new(7.0 + lensmaker(index("N-BK7"), [50.0, -50.0], 14.0).1, 0.0);
+    let differs = |height: f64| {
+        let run = changed(run, |scene| {
+            if let Light::Beam { width, rays, .. } = &mut scene.sources[0].light {
+                (*width, *rays) = (2.0 * height, 3);
+            }
+        });
+        let ways = rays(&run, "beam").into_iter().map(|ray| {
+            let last = out(ray);
+            last.optical_path + last.medium_index * (focus - last.from).length()
+        });
+        spread(ways)
+    };
+    assert!(differs(0.5) < 1e-5, "{}", differs(0.5));
+    let grows = differs(4.0) / differs(2.0);
+    assert!((14.0..18.0).contains(&grows), "{grows}");
 }
 
 pub(crate) fn a_biconcave_lens_has_a_virtual_focus(run: &Run) {

@@ -1,0 +1,159 @@
+//! The deviation δ between two branches, as the angle between their lines where these meet.
+
+use glam::DVec2;
+
+use crate::diagram::arc::{arc, beside, is_right, square, stroked};
+use crate::diagram::branches::{Branch, generation};
+use crate::diagram::generations::Aged;
+use crate::diagram::room::Room;
+use crate::diagram::{Figure, key};
+use crate::drawing::{Anchor, Group, Item, Path, Shape, Stroke, Text};
+use crate::explain::find;
+use crate::numerics::{atan2_degrees, cross};
+use crate::scene::{Problem, Scene};
+use crate::trace::{RayTree, Segment, SegmentId, TracedRay};
+
+const SIZE: f64 = 12.5;
+/// Radius of the arc, pixels, grown up to the second where the angle is so small that the arc would be shorter than the
+/// third.
+const RADII: [f64; 2] = [46.0, 150.0];
+const SHORTEST_ARC: f64 = 16.0;
+/// Side of the mark of a right angle, pixels.
+const SQUARE: f64 = 18.0;
+/// How far the first branch's line goes on past the arc, pixels.
+const BEYOND: f64 = 26.0;
+/// No arc is drawn between directions closer than this, degrees.
+const SMALLEST: f64 = 0.05;
+/// Lines that meet farther away than this many sizes of the frame count as parallel.
+const FAR: f64 = 4.0;
+
+/// The marks, and what stands below the figure for those without room for their value.
+pub(super) fn deviations(figure: &Figure<'_>, room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
+    let pairs = figure.scene.diagram.deviations.iter();
+    let found = pairs.filter_map(|[first, second]| {
+        let [first, second] = [find(figure.tree, first).ok()?, find(figure.tree, second).ok()?];
+        Deviation::of(figure, first, second)
+    });
+    let found: Vec<Deviation<'_>> = found.collect();
+    let (mut items, mut below) = (Vec::new(), Vec::new());
+    for (place, deviation) in found.iter().enumerate() {
+        let number = if found.len() > 1 { (place + 1).to_string() } else { String::new() };
+        let (group, unplaced) = deviation.draw(figure, &number, room);
+        items.push((deviation.generation, group));
+        below.extend(unplaced);
+    }
+    (items, below)
+}
+
+/// Warnings about marks that a scene asks for and its light does not allow: a deviation of a branch that there is not.
+#[must_use]
+pub fn problems(scene: &Scene, tree: &RayTree) -> Vec<Problem> {
+    let addresses = |(k, pair)| (0..2).zip(pair).map(move |(which, address)| (k, which, address));
+    let all = scene.diagram.deviations.iter().enumerate().flat_map(addresses);
+    let wrong = all.filter_map(|(k, which, address): (usize, usize, &String)| {
+        let unknown = find(tree, address).err()?;
+        let message = format!("this deviation is not marked: there is no ray \"{address}\": {}", unknown.reason);
+        let close: Vec<_> = unknown.close.iter().map(|address| format!("\"{address}\"")).collect();
+        let help = if close.is_empty() {
+            "the scene has no light".into()
+        } else {
+            format!("these are close: {}", close.join(", "))
+        };
+        Some(Problem::warning(format!("diagram.deviations[{k}][{which}]"), message, help).label("no such ray"))
+    });
+    wrong.collect()
+}
+
+/// Two branches and where their lines meet. Directions are unit vectors of the figure.
+struct Deviation<'a> {
+    name: String,
+    /// The second one's, or the first one's if that is later.
+    generation: u32,
+    first: (&'a TracedRay, &'a Segment),
+    /// Where the first branch ends, and where the second begins, pixels.
+    ends: [DVec2; 2],
+    /// Where their lines meet, or else where the second begins.
+    at: DVec2,
+    directions: [DVec2; 2],
+    degrees: f64,
+}
+
+impl<'a> Deviation<'a> {
+    /// `None` if it is not in view.
+    fn of(figure: &Figure<'_>, first: (&'a TracedRay, SegmentId), second: (&'a TracedRay, SegmentId)) -> Option<Self> {
+        let generation = generation(first.0, first.1).max(generation(second.0, second.1));
+        let name = format!("{} {}", first.0.address(first.1), second.0.address(second.1));
+        let [a, b] = [first, second].map(|(ray, id)| ray.segments.get(id.index()));
+        let (a, b) = (a?, b?);
+        let directions = [a, b].map(|segment| figure.frame.turn(segment.direction).normalize_or_zero());
+        let ends = [a.to.unwrap_or(a.from), b.from].map(|p| figure.frame.place(p));
+        let sine = cross(a.direction, b.direction);
+        let degrees = atan2_degrees(sine.abs(), a.direction.dot(b.direction));
+        let at = meeting(figure, ends, directions).unwrap_or(ends[1]);
+        figure.frame.area.contains(at).then_some(Self {
+            name,
+            generation,
+            first: (first.0, a),
+            ends,
+            at,
+            directions,
+            degrees,
+        })
+    }
+
+    fn radius(&self) -> f64 {
+        (SHORTEST_ARC / self.degrees.max(SMALLEST).to_radians()).clamp(RADII[0], RADII[1])
+    }
+
+    fn draw(&self, figure: &Figure<'_>, number: &str, room: &mut Room) -> (Item, Option<Text>) {
+        let color = figure.palette.accent;
+        let (radius, [first, second]) = (self.radius(), self.directions);
+        let mut items = self.lines(figure);
+        if self.degrees >= SMALLEST {
+            let mark = if is_right(first, second) {
+                square(self.at, SQUARE, first, second)
+            } else {
+                arc(self.at, radius, first, second)
+            };
+            items.push(stroked(mark, color));
+            room.keep_off([self.at + radius * first, self.at + radius * second]);
+        }
+        for item in &items {
+            room.keep_off_item(item);
+        }
+        let value = |size: f64| {
+            let text = Text::new("δ", DVec2::ZERO, size, color).classed("angle-value");
+            let text = if number.is_empty() { text } else { text.subscript(number) };
+            text.then(&format!("\u{a0}=\u{a0}{:.1}°", self.degrees))
+        };
+        let toward = (first + second).normalize_or(first.perp());
+        let placed = beside(&value(SIZE).anchored(Anchor::Middle), self.at, radius, toward, room);
+        let below = placed.is_none().then(|| value(key::SIZE));
+        items.extend(placed.map(Item::from));
+        let data = vec![("data-address", self.name.clone())];
+        (Group { data, ..Group::layer("deviation angle", items) }.into(), below)
+    }
+
+    /// The first branch's line on past the meeting point, and the second's back to it.
+    fn lines(&self, figure: &Figure<'_>) -> Vec<Item> {
+        let (ray, segment) = self.first;
+        let color = figure.styles.color(&Branch::plain(ray, segment, self.ends));
+        let stroke = Stroke::solid(color, 1.2).faded(0.6).dashed(&[2.0, 4.0]);
+        let is_ahead = (self.at - self.ends[0]).dot(self.directions[0]) >= 0.0;
+        let from = if is_ahead && self.at != self.ends[1] { self.ends[0] } else { self.at };
+        let on = [from, self.at + (self.radius() + BEYOND) * self.directions[0]];
+        let back = [self.at, self.ends[1]];
+        let line = |[a, b]: [DVec2; 2]| Shape::stroked(Path::line(a, b), stroke.clone(), "extension").into();
+        [on, back].into_iter().filter(|[a, b]| a != b).map(line).collect()
+    }
+}
+
+/// Where the first line, on from its end, meets the second, back from its start; both in view.
+fn meeting(figure: &Figure<'_>, [a, b]: [DVec2; 2], [d, e]: [DVec2; 2]) -> Option<DVec2> {
+    let turn = cross(d, e);
+    let [s, t] = [cross(b - a, e) / turn, cross(b - a, d) / turn];
+    let far = FAR * figure.frame.area.size().max_element();
+    let meets = s.abs() <= far && (-far..=1e-9).contains(&t);
+    let at = a + s * d;
+    (meets && s >= -1e-9 && figure.frame.area.contains(at)).then_some(at)
+}
