@@ -214,7 +214,7 @@ fn letters_tell_the_points_apart() {
     let two = format!("{LENS}, (shape: Flat(from: (170, -60), to: (170, 60)), surface: ThinLens(focal_length: 30))");
     assert_eq!(letters(&two), ["F1", "F1′", "F2", "F2′"]);
     let common = "(shape: Flat(from: (70, -60), to: (70, 60)), surface: ThinLens(focal_length: 30))";
-    assert_eq!(letters(&format!("{LENS}, {common}")), ["F1", "F1′, F2", "F2′"], "one point with two names");
+    assert_eq!(letters(&format!("{LENS}, {common}")), ["F1", "F1′,\u{a0}F2", "F2′"], "one point with two names");
 }
 
 #[test]
