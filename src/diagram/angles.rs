@@ -17,7 +17,7 @@ const SMALLEST_RADIUS: f64 = 12.0;
 /// Side of a right-angle mark, pixels.
 const SQUARE: f64 = 9.0;
 /// Length of the grazing ray that carries nothing, pixels.
-const GRAZING: f64 = 70.0;
+const GRAZING: f64 = 110.0;
 /// A critical angle is shown if the angle of incidence is at least this share of it.
 const NEAR_CRITICAL: f64 = 0.6;
 /// Radius of the ring around a number, pixels.
@@ -99,15 +99,18 @@ impl<'a> Drawer<'a> {
         let mut leaving: Vec<Item> = Vec::new();
         leaving.extend(reflected.map(|reflected| self.arc(normal, reflected, self.color(), room)));
         leaving.extend(transmitted.map(|transmitted| self.arc(-normal, transmitted, palette.ink, room)));
-        let dotted = |path| Shape::stroked(path, Stroke::solid(palette.accent, 1.0).dashed(&[1.5, 3.0]), "").into();
+        let dotted = |path, width: f64| {
+            let dots = [1.5 * width, 3.0 * width];
+            Shape::stroked(path, Stroke::solid(palette.accent, width).dashed(&dots), "").into()
+        };
         match case {
             Case::Total(critical) | Case::Plain(Some(critical)) if theta_1 >= NEAR_CRITICAL * critical => {
                 let limit = self.aside(critical);
-                arriving.push(dotted(arc(self.hit.at, self.radius, back, limit)));
+                arriving.push(dotted(arc(self.hit.at, self.radius, back, limit), 1.0));
                 let tick = [-4.0, 4.0].map(|by| self.hit.at + (self.radius + by) * limit);
                 arriving.push(stroked(Path::line(tick[0], tick[1]), palette.accent));
             }
-            Case::Critical => leaving.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along))),
+            Case::Critical => leaving.push(dotted(Path::line(self.hit.at, self.hit.at + GRAZING * along), 2.4)),
             Case::Plain(_) | Case::Total(_) | Case::Mirror | Case::Brewster => {}
         }
         leaving.extend(reflected.and_then(|reflected| self.right_angle(back, reflected)));

@@ -3,7 +3,7 @@ use glam::DVec2;
 use crate::diagram::Figure;
 use crate::diagram::branches::Branch;
 use crate::diagram::generations::Aged;
-use crate::diagram::styles::{opacity, strength};
+use crate::diagram::styles::strength;
 use crate::drawing::{Fill, Path, Shape};
 
 /// A shorter piece of ray has no arrowhead, pixels.
@@ -36,7 +36,7 @@ pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Aged> {
         // One head for lines that the eye does not tell apart has the color of all of them.
         let closed = branch.fan.is_some_and(|fan| fan.closed());
         let color = if closed { styles.together(branch) } else { styles.color(branch) };
-        let fill = Fill { color, opacity: opacity(strength(branch.share)) };
+        let fill = Fill { color, opacity: styles.opacity(strength(branch.share)) };
         let shape = Shape::filled(head.path(size(branch)), fill, "arrow");
         items.push((branch.generation(), shape.into()));
         heads.push(head);

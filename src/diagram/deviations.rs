@@ -7,7 +7,7 @@ use crate::diagram::branches::{Branch, generation};
 use crate::diagram::generations::Aged;
 use crate::diagram::room::Room;
 use crate::diagram::{Figure, key};
-use crate::drawing::{Anchor, Group, Item, Path, Shape, Stroke, Text};
+use crate::drawing::{Anchor, Group, Item, Path, Shape, Text};
 use crate::explain::find;
 use crate::numerics::{atan2_degrees, cross};
 use crate::scene::{Problem, Scene};
@@ -137,8 +137,7 @@ impl<'a> Deviation<'a> {
     /// The first branch's line on past the meeting point, and the second's back to it.
     fn lines(&self, figure: &Figure<'_>) -> Vec<Item> {
         let (ray, segment) = self.first;
-        let color = figure.styles.color(&Branch::plain(ray, segment, self.ends));
-        let stroke = Stroke::solid(color, 1.2).faded(0.6).dashed(&[2.0, 4.0]);
+        let stroke = figure.styles.extension(&Branch::plain(ray, segment, self.ends));
         let is_ahead = (self.at - self.ends[0]).dot(self.directions[0]) >= 0.0;
         let from = if is_ahead && self.at != self.ends[1] { self.ends[0] } else { self.at };
         let on = [from, self.at + (self.radius() + BEYOND) * self.directions[0]];

@@ -9,7 +9,7 @@ use crate::diagram::blend::Blend;
 use crate::diagram::branches::{Branch, generation, letters, share};
 use crate::diagram::frame::{Extent, Frame, clip};
 use crate::diagram::generations::Aged;
-use crate::drawing::{Path, Shape, Stroke};
+use crate::drawing::{Path, Shape};
 use crate::numerics::cross;
 use crate::scene::{Light, Scene, Source};
 use crate::trace::{Ending, RayTree, Segment, TracedRay};
@@ -47,8 +47,7 @@ pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Aged> {
         // It continues the branch of its segment, or of the same path if that stands for several lines.
         let blend = blends.get(&way(extension.ray, extension.segment)).copied().flatten();
         let ray = Branch { blend, ..Branch::plain(extension.ray, extension.segment, [a, b]) };
-        let stroke = Stroke::solid(figure.styles.color(&ray), 1.2).faded(0.6).dashed(&[2.0, 4.0]);
-        let shape = Shape::stroked(Path::line(a, b), stroke, "extension");
+        let shape = Shape::stroked(Path::line(a, b), figure.styles.extension(&ray), "extension");
         Some((generation(extension.ray, extension.turned.id), shape.into()))
     });
     items.take(MOST).collect()

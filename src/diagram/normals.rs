@@ -5,7 +5,7 @@ use crate::diagram::branches::Branch;
 use crate::diagram::frame::clip;
 use crate::diagram::generations::Aged;
 use crate::diagram::hits::is_imaging;
-use crate::diagram::styles::{opacity, strength};
+use crate::diagram::styles::strength;
 use crate::drawing::{Path, Shape, Stroke};
 
 /// Length of a normal to each side, pixels, while there are few.
@@ -74,6 +74,6 @@ fn mark(figure: &Figure<'_>, normal: &Normal, length: f64) -> Option<Aged> {
     let start = normal.at - normal.along * length;
     let [a, b] = clip(start, normal.along, 2.0 * length, &figure.frame.area)?;
     // A normal is quieter than the ray that needs it.
-    let stroke = Stroke::solid(figure.palette.quiet, 1.0).faded(0.9 * opacity(normal.strength));
+    let stroke = Stroke::solid(figure.palette.quiet, 1.0).faded(0.9 * figure.styles.opacity(normal.strength));
     Some((normal.generation, Shape::stroked(Path::line(a, b), stroke.dashed(&[5.0, 4.0]), "normal").into()))
 }

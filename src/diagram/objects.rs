@@ -56,8 +56,7 @@ pub(super) fn lines_back(figure: &Figure<'_>) -> Vec<Aged> {
         let back = (image.tip - segment.from).dot(segment.direction);
         let [from, to] = [segment.from, segment.from + back * segment.direction].map(|p| figure.frame.place(p));
         let [a, b] = clip(from, to - from, 1.0, &figure.frame.area)?;
-        let color = figure.styles.color(&Branch::plain(ray, segment, [a, b]));
-        let stroke = Stroke::solid(color, 1.2).faded(0.6).dashed(&[2.0, 4.0]);
+        let stroke = figure.styles.extension(&Branch::plain(ray, segment, [a, b]));
         Some((generation(ray, *id), Shape::stroked(Path::line(a, b), stroke, "extension").into()))
     });
     lines.collect()

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use crate::diagram::Figure;
 use crate::diagram::branches::{Branch, closed_stretch};
 use crate::diagram::generations::Aged;
-use crate::diagram::styles::{Styles, opacity, strength, together};
+use crate::diagram::styles::{Styles, strength, together};
 use crate::drawing::{Group, Item, Path, Shape, Stroke, Whole, shortest};
 
 /// Branches that are few enough, each with its address and power.
@@ -39,9 +39,11 @@ fn spectrum(styles: &Styles<'_>, fan: &[&Branch<'_>]) -> Item {
     let mut items: Vec<Item> = Vec::new();
     for branch in fan {
         let own = strength(branch.share);
-        items.push(single(branch, styles.stroke(branch, own).faded(opacity(own) / opacity(strongest))).into());
+        items.push(
+            single(branch, styles.stroke(branch, own).faded(styles.opacity(own) / styles.opacity(strongest))).into(),
+        );
     }
-    let whole = Whole { opacity: opacity(strongest), adds_up: styles.add_up() };
+    let whole = Whole { opacity: styles.opacity(strongest), adds_up: styles.add_up() };
     if !whole.adds_up
         && let Some((first, ends)) = fan.first().zip(closed_stretch(fan))
     {

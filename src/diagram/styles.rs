@@ -8,8 +8,9 @@ use crate::light::Wavelength;
 use crate::scene::{RayColor, Scene, Theme};
 use crate::trace::{RayTree, Via};
 
-/// No ray is fainter, so that a share of 1 % is still seen on a projector.
+/// No ray is fainter, so that a share of 1 % is still seen on a projector; on a dark ground faint lines are lost sooner.
 const FAINTEST: f64 = 0.22;
+const FAINTEST_ON_DARK: f64 = 0.36;
 /// More source rays than this are drawn thinner.
 const UNCROWDED: f64 = 14.0;
 /// More spectral lines than this are drawn thinner, so that a spectrum shows its colors.
@@ -26,11 +27,6 @@ pub(super) fn together<'a>(branch: &Branch<'a>) -> Branch<'a> {
 pub(super) fn strength(share: f64) -> f64 {
     let quarter = share.sqrt().sqrt();
     quarter * quarter.sqrt()
-}
-
-/// Opacity of a branch of a given strength.
-pub(super) fn opacity(strength: f64) -> f64 {
-    strength.clamp(FAINTEST, 1.0)
 }
 
 /// How rays are drawn in this figure.
@@ -59,12 +55,25 @@ impl<'a> Styles<'a> {
         Self { scene, palette, lines, own_colors, crowding: (UNCROWDED / number(strong)).sqrt().clamp(0.45, 1.0) }
     }
 
+    /// Opacity of a branch of a given strength.
+    pub(super) fn opacity(&self, strength: f64) -> f64 {
+        match self.scene.diagram.theme {
+            Theme::Light | Theme::Print => strength.clamp(FAINTEST, 1.0),
+            Theme::Dark => FAINTEST_ON_DARK + (1.0 - FAINTEST_ON_DARK) * strength.clamp(0.0, 1.0),
+        }
+    }
+
+    /// The dotted line of what a branch does not do.
+    pub(super) fn extension(&self, branch: &Branch<'_>) -> Stroke {
+        Stroke::solid(self.color(branch), 1.3).faded(0.8).dashed(&[2.0, 4.0])
+    }
+
     /// The line of a branch whose strength was rounded to `strength`.
     pub(super) fn stroke(&self, branch: &Branch<'_>, strength: f64) -> Stroke {
         let alone = branch.blend.is_some() && branch.fan.is_none();
         let fanning = if alone { 1.0 } else { (THICK_LINES / number(branch.lines)).sqrt().clamp(0.45, 1.0) };
         let width = (0.8 + 1.6 * strength) * (self.crowding * fanning).max(0.4);
-        let stroke = Stroke::solid(self.color(branch), width).faded(opacity(strength));
+        let stroke = Stroke::solid(self.color(branch), width).faded(self.opacity(strength));
         match PRINT_DASHES[self.dash(branch)] {
             [] => stroke,
             dash => stroke.dashed(dash),
