@@ -102,6 +102,9 @@ fn a_virtual_image_is_dashed_and_its_rays_are_drawn_back_to_it() {
         assert!(to.distance(tip) < 0.03 && from.distance(tip) > 50.0, "{from} {to} {tip}");
     }
     assert_eq!(marks(&scene(LENS, REAL, "", ""), "extension").len(), 0);
+    let white = scene(LENS, VIRTUAL, "spectrum: White(samples: 5)", "");
+    let ray = &marks(&white, "transmission")[0]["stroke"];
+    assert!(marks(&white, "extension").iter().all(|line| line["stroke"] == *ray), "in the color of the light");
 }
 
 #[test]

@@ -54,14 +54,14 @@ pub(super) fn extensions(figure: &Figure<'_>) -> Vec<Aged> {
 }
 
 /// A source ray and the letters of a path, whatever the line.
-type AnyLine = (usize, usize, String);
+pub(super) type AnyLine = (usize, usize, String);
 
-fn way(ray: &TracedRay, segment: &Segment) -> AnyLine {
+pub(super) fn way(ray: &TracedRay, segment: &Segment) -> AnyLine {
     (ray.source, ray.ray, letters(ray, segment.id))
 }
 
 /// What the branches of rays of several lines stand for, of equal paths the weakest.
-fn blends(figure: &Figure<'_>) -> BTreeMap<AnyLine, Option<Blend>> {
+pub(super) fn blends(figure: &Figure<'_>) -> BTreeMap<AnyLine, Option<Blend>> {
     let several = figure.branches.iter().rev().filter(|branch| branch.ray.one_of_several_lines);
     several.map(|branch| (way(branch.ray, branch.segment), branch.blend)).collect()
 }

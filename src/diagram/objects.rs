@@ -1,11 +1,13 @@
+use std::collections::BTreeMap;
+
 use glam::DVec2;
 
 use crate::analysis::ObjectImage;
-use crate::diagram::Figure;
 use crate::diagram::branches::{Branch, generation};
 use crate::diagram::frame::clip;
 use crate::diagram::generations::Aged;
 use crate::diagram::room::{Room, centered};
+use crate::diagram::{Figure, extensions};
 use crate::drawing::{Anchor, Color, Fill, Item, Path, Shape, Stroke, Text};
 use crate::trace::SegmentId;
 
@@ -48,15 +50,17 @@ pub(super) fn arrows(figure: &Figure<'_>) -> Vec<Aged> {
 
 /// The lines from the last hits back to virtual images.
 pub(super) fn lines_back(figure: &Figure<'_>) -> Vec<Aged> {
-    let virtual_images = figure.optics.images.iter().filter(|image| !image.is_real).take(MOST);
-    let lines = virtual_images.flat_map(|image| image.segments.iter().map(move |segment| (image, segment)));
+    let virtual_images: Vec<_> = figure.optics.images.iter().filter(|image| !image.is_real).take(MOST).collect();
+    let blends = if virtual_images.is_empty() { BTreeMap::new() } else { extensions::blends(figure) };
+    let lines = virtual_images.into_iter().flat_map(|image| image.segments.iter().map(move |segment| (image, segment)));
     let lines = lines.filter_map(|(image, (ray, id))| {
         let ray = figure.tree.rays.get(*ray)?;
         let segment = ray.segments.get(id.index())?;
         let back = (image.tip - segment.from).dot(segment.direction);
         let [from, to] = [segment.from, segment.from + back * segment.direction].map(|p| figure.frame.place(p));
         let [a, b] = clip(from, to - from, 1.0, &figure.frame.area)?;
-        let stroke = figure.styles.extension(&Branch::plain(ray, segment, [a, b]));
+        let blend = blends.get(&extensions::way(ray, segment)).copied().flatten();
+        let stroke = figure.styles.extension(&Branch { blend, ..Branch::plain(ray, segment, [a, b]) });
         Some((generation(ray, *id), Shape::stroked(Path::line(a, b), stroke, "extension").into()))
     });
     lines.collect()
