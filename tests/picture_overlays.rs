@@ -106,6 +106,15 @@ fn a_deviation_without_room_stands_below() {
 }
 
 #[test]
+fn a_deviation_out_of_view_stands_below() {
+    let text = scene(PRISM, INTO_PRISM, r#"deviations: [("0.0:", "0.0:tt")]"#);
+    let text = text.replace("Box((-60, -35), (60, 35))", "Box((-50, -35), (-40, -20))");
+    let drawing = figure(&text);
+    assert!(layer(&drawing, "deviations").is_empty());
+    assert!(words(&layer(&drawing, "key")).iter().any(|words| words.starts_with("δ\u{a0}=\u{a0}3")));
+}
+
+#[test]
 fn a_deviation_of_no_branch_is_told() {
     let text = scene(PRISM, INTO_PRISM, r#"deviations: [("0.0:", "0.0:tt"), ("0.0:", "0.0:tx")]"#);
     let run = run_text(&text);

@@ -27,20 +27,33 @@ const SMALLEST: f64 = 0.05;
 /// Lines that meet farther away than this many sizes of the frame count as parallel.
 const FAR: f64 = 4.0;
 
-/// The marks, and what stands below the figure for those without room for their value.
-pub(super) fn deviations(figure: &Figure<'_>, room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
+/// The deviations that a scene asks for, of branches that there are. All words keep off their lines.
+pub(super) fn found<'a>(figure: &'a Figure<'_>, room: &mut Room) -> Vec<Deviation<'a>> {
     let pairs = figure.scene.diagram.deviations.iter();
     let found = pairs.filter_map(|[first, second]| {
         let [first, second] = [find(figure.tree, first).ok()?, find(figure.tree, second).ok()?];
         Deviation::of(figure, first, second)
     });
     let found: Vec<Deviation<'_>> = found.collect();
+    for deviation in found.iter().filter(|deviation| deviation.is_seen) {
+        deviation.lines(figure).iter().for_each(|item| room.keep_off_item(item));
+        room.keep_off(deviation.directions.map(|direction| deviation.at + deviation.radius() * direction));
+    }
+    found
+}
+
+/// The marks, and what stands below the figure for those without room for their value.
+pub(super) fn deviations(figure: &Figure<'_>, found: &[Deviation<'_>], room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
     let (mut items, mut below) = (Vec::new(), Vec::new());
     for (place, deviation) in found.iter().enumerate() {
         let number = if found.len() > 1 { (place + 1).to_string() } else { String::new() };
-        let (group, unplaced) = deviation.draw(figure, &number, room);
-        items.push((deviation.generation, group));
-        below.extend(unplaced);
+        let placed = deviation.placed(figure, &number, room);
+        if placed.is_none() {
+            below.push(deviation.value(figure, &number, key::SIZE));
+        }
+        if deviation.is_seen {
+            items.push((deviation.generation, deviation.draw(figure, placed)));
+        }
     }
     (items, below)
 }
@@ -65,7 +78,7 @@ pub fn problems(scene: &Scene, tree: &RayTree) -> Vec<Problem> {
 }
 
 /// Two branches and where their lines meet. Directions are unit vectors of the figure.
-struct Deviation<'a> {
+pub(super) struct Deviation<'a> {
     name: String,
     /// The second one's, or the first one's if that is later.
     generation: u32,
@@ -76,10 +89,12 @@ struct Deviation<'a> {
     at: DVec2,
     directions: [DVec2; 2],
     degrees: f64,
+    /// Whether the frame shows where they meet.
+    is_seen: bool,
 }
 
 impl<'a> Deviation<'a> {
-    /// `None` if it is not in view.
+    /// `None` if a branch is not in its ray.
     fn of(figure: &Figure<'_>, first: (&'a TracedRay, SegmentId), second: (&'a TracedRay, SegmentId)) -> Option<Self> {
         let generation = generation(first.0, first.1).max(generation(second.0, second.1));
         let name = format!("{} {}", first.0.address(first.1), second.0.address(second.1));
@@ -90,48 +105,45 @@ impl<'a> Deviation<'a> {
         let sine = cross(a.direction, b.direction);
         let degrees = atan2_degrees(sine.abs(), a.direction.dot(b.direction));
         let at = meeting(figure, ends, directions).unwrap_or(ends[1]);
-        figure.frame.area.contains(at).then_some(Self {
-            name,
-            generation,
-            first: (first.0, a),
-            ends,
-            at,
-            directions,
-            degrees,
-        })
+        let is_seen = figure.frame.area.contains(at);
+        Some(Self { name, generation, first: (first.0, a), ends, at, directions, degrees, is_seen })
     }
 
+    fn is_right(&self) -> bool {
+        is_right(self.directions[0], self.directions[1])
+    }
+
+    /// Of the arc, or of what the mark of a right angle takes.
     fn radius(&self) -> f64 {
+        if self.is_right() {
+            return SQUARE;
+        }
         (SHORTEST_ARC / self.degrees.max(SMALLEST).to_radians()).clamp(RADII[0], RADII[1])
     }
 
-    fn draw(&self, figure: &Figure<'_>, number: &str, room: &mut Room) -> (Item, Option<Text>) {
-        let color = figure.palette.accent;
+    fn value(&self, figure: &Figure<'_>, number: &str, size: f64) -> Text {
+        let text = Text::new("δ", DVec2::ZERO, size, figure.palette.accent).classed("angle-value");
+        let text = if number.is_empty() { text } else { text.subscript(number) };
+        text.then(&format!("\u{a0}=\u{a0}{:.1}°", self.degrees))
+    }
+
+    fn placed(&self, figure: &Figure<'_>, number: &str, room: &mut Room) -> Option<Text> {
+        let [first, second] = self.directions;
+        let toward = (first + second).normalize_or(first.perp());
+        let text = self.value(figure, number, SIZE).anchored(Anchor::Middle);
+        if self.is_seen { beside(&text, self.at, self.radius(), toward, room) } else { None }
+    }
+
+    fn draw(&self, figure: &Figure<'_>, value: Option<Text>) -> Item {
         let (radius, [first, second]) = (self.radius(), self.directions);
         let mut items = self.lines(figure);
         if self.degrees >= SMALLEST {
-            let mark = if is_right(first, second) {
-                square(self.at, SQUARE, first, second)
-            } else {
-                arc(self.at, radius, first, second)
-            };
-            items.push(stroked(mark, color));
-            room.keep_off([self.at + radius * first, self.at + radius * second]);
+            let mark = if self.is_right() { square } else { arc };
+            items.push(stroked(mark(self.at, radius, first, second), figure.palette.accent));
         }
-        for item in &items {
-            room.keep_off_item(item);
-        }
-        let value = |size: f64| {
-            let text = Text::new("δ", DVec2::ZERO, size, color).classed("angle-value");
-            let text = if number.is_empty() { text } else { text.subscript(number) };
-            text.then(&format!("\u{a0}=\u{a0}{:.1}°", self.degrees))
-        };
-        let toward = (first + second).normalize_or(first.perp());
-        let placed = beside(&value(SIZE).anchored(Anchor::Middle), self.at, radius, toward, room);
-        let below = placed.is_none().then(|| value(key::SIZE));
-        items.extend(placed.map(Item::from));
+        items.extend(value.map(Item::from));
         let data = vec![("data-address", self.name.clone())];
-        (Group { data, ..Group::layer("deviation angle", items) }.into(), below)
+        Group { data, ..Group::layer("deviation angle", items) }.into()
     }
 
     /// The first branch's line on past the meeting point, and the second's back to it.

@@ -79,11 +79,12 @@ fn marks(figure: &Figure<'_>, is_uncrowded: bool) -> Marks {
     let mut room = Room::new(figure, labels::chords(&shapes));
     let aged = [&marks.normals, &marks.extensions, &marks.objects].into_iter().flatten().map(|(_, item)| item);
     aged.chain(&marks.axes).chain(&marks.planes).for_each(|item| room.keep_off_item(item));
+    let found = deviations::found(figure, &mut room);
     let hits = if is_uncrowded { hits::marked(figure) } else { Vec::new() };
     if settings.angles {
         (marks.angles, marks.below) = angles::angles(figure, &hits, &mut room);
     }
-    let (deviations, unplaced) = deviations::deviations(figure, &mut room);
+    let (deviations, unplaced) = deviations::deviations(figure, &found, &mut room);
     marks.deviations = deviations;
     marks.below.extend(unplaced);
     marks.labels = cardinal::letters(figure, &mut room);
