@@ -69,7 +69,7 @@ fn texts_of(item: &Item) -> Vec<&Text> {
 }
 
 fn words(text: &Text) -> String {
-    text.spans.iter().map(|span| span.text.as_str()).collect::<String>().replace('\u{a0}', " ")
+    text.spans.iter().map(|span| span.text.as_str()).collect::<String>().replace(['\u{a0}', '\u{202f}'], " ")
 }
 
 /// What stands at the hits of a scene, and below the figure.
@@ -83,20 +83,46 @@ fn values(scene: &str) -> Vec<String> {
 
 #[test]
 fn a_hit_shows_both_angles() {
-    assert_eq!(values(&onto_glass(45.0, "")), ["θ1 45.0°", "θ2 28.1°"]);
-    assert_eq!(values(&onto_glass(30.0, "")), ["θ1 30.0°", "θ2 19.5°"]);
-    assert_eq!(values(&out_of_glass(30.0)), ["θ1 30.0°", "θ2 48.6°"]);
+    assert_eq!(values(&onto_glass(45.0, "")), ["θ1 = 45.0°", "θ2 = 28.1°", "R = 5.0 %", "T = 95.0 %"]);
+    assert_eq!(values(&onto_glass(30.0, ""))[..2], ["θ1 = 30.0°", "θ2 = 19.5°"]);
+    assert_eq!(values(&out_of_glass(30.0))[..2], ["θ1 = 30.0°", "θ2 = 48.6°"]);
     assert!(values(&onto_glass(45.0, "diagram: (angles: false)")).is_empty());
     assert!(values(&onto_glass(0.0, "")).is_empty(), "nothing to see at perpendicular incidence");
 }
 
 #[test]
+fn shares_are_those_of_the_light_that_arrives() {
+    let slab = |faintest: &str| {
+        let source = "(light: Ray(from: (-60, 60), direction: Angle(-45)))";
+        let body = "(shape: Rectangle(400, 40), medium: Index(1.5))";
+        values(&format!("(bodies: [{body}], sources: [{source}], diagram: (faintest: {faintest}))"))
+    };
+    let shares = |values: Vec<String>| values.into_iter().filter(|value| value.ends_with('%')).collect::<Vec<_>>();
+    assert_eq!(shares(slab("0.5")), ["T = 95.0 %", "T = 95.2 %"], "of light that has more p than at first");
+    assert!(shares(slab("0.00001")).is_empty(), "only where few hits are marked");
+    assert_eq!(shares(values(&out_of_glass(50.0))), [""; 0], "all of it is reflected");
+}
+
+#[test]
+fn total_reflection_has_a_badge() {
+    let drawing = figure(&run_text(&out_of_glass(50.0)));
+    let badges = |items: &[Item]| {
+        let is_badge =
+            |item: &&Item| matches!(item, Item::Shape(shape) if shape.class == "badge" && shape.fill.is_some());
+        items.iter().filter(is_badge).count()
+    };
+    assert_eq!(angles(&drawing).iter().map(|mark| badges(&mark.items)).sum::<usize>(), 1);
+    let drawing = figure(&run_text(&out_of_glass(30.0)));
+    assert_eq!(angles(&drawing).iter().map(|mark| badges(&mark.items)).sum::<usize>(), 0);
+}
+
+#[test]
 fn remarkable_angles_are_told() {
-    assert_eq!(values(&out_of_glass(50.0)), ["TIR: θ1 50.0° > θc 41.8°"]);
-    assert_eq!(values(&out_of_glass(41.79)), ["θ1 41.8° = θc", "θ2 88.4°"]);
-    assert_eq!(values(&out_of_glass(41.83)), ["θ1 41.8° = θc"]);
-    assert_eq!(values(&onto_glass(56.31, "")), ["θ1 56.3° = θB", "θ2 33.7°"]);
-    assert_eq!(values(&onto_glass(56.2, "")), ["θ1 56.2°", "θ2 33.6°"]);
+    assert_eq!(values(&out_of_glass(50.0)), ["TIR", "θ1 = 50.0° > θc = 41.8°"]);
+    assert_eq!(values(&out_of_glass(41.79))[..2], ["θ1 = θc = 41.8°", "θ2 = 88.4°"]);
+    assert_eq!(values(&out_of_glass(41.83)), ["θ1 = θc = 41.8°"]);
+    assert_eq!(values(&onto_glass(56.31, ""))[..2], ["θ1 = θB = 56.3°", "θ2 = 33.7°"]);
+    assert_eq!(values(&onto_glass(56.2, ""))[..2], ["θ1 = 56.2°", "θ2 = 33.6°"]);
 }
 
 #[test]
@@ -105,7 +131,7 @@ fn mirrors_show_the_angle_and_thin_lenses_none() {
         let source = format!("(light: Ray(from: {}, direction: Towards((0, 0))))", away(35.0, 50.0));
         format!("(bodies: [(shape: Flat(from: (-50, 0), to: (50, 0)), surface: {surface})], sources: [{source}])")
     };
-    assert_eq!(values(&flat("Mirror")), ["θ1 35.0°"]);
+    assert_eq!(values(&flat("Mirror")), ["θ1 = 35.0°"]);
     assert!(values(&flat("ThinLens(focal_length: 40)")).is_empty());
     assert!(values(&flat("Screen")).is_empty());
     let arcs = figure(&run_text(&flat("Mirror")));
@@ -119,9 +145,15 @@ fn one_of_many_parallel_rays_is_marked() {
         format!("(bodies: [{body}], sources: [(light: {light})], trace: (max_depth: 1))")
     };
     let beam = "Beam(center: (-40, 40), direction: Angle(-45), width: 30, rays: 7)";
-    assert_eq!(values(&scene(beam)), ["θ1 45.0°", "θ2 28.1°"]);
+    assert_eq!(values(&scene(beam))[..2], ["θ1 = 45.0°", "θ2 = 28.1°"]);
     assert!(values(&scene("Point(at: (0, 40), rays: 90)")).is_empty());
-    assert_eq!(values(&scene("Fan(from: (0, 40), direction: Angle(-80), spread: 20, rays: 2)")).len(), 2);
+    assert_eq!(
+        values(&scene("Fan(from: (0, 40), direction: Angle(-80), spread: 20, rays: 2)"))
+            .iter()
+            .filter(|value| value.contains('θ'))
+            .count(),
+        2
+    );
 }
 
 /// Every rectangle of words in the figure.
@@ -164,7 +196,7 @@ fn lost_hits(name: &str, run: &Run, drawing: &Drawing) -> usize {
         let is_below = first
             .parse::<u32>()
             .is_ok_and(|n| below.iter().any(|line| line.starts_with(&format!("{n}: ")) && line.contains("θ1 ")));
-        let is_in_place = first.contains("θ1");
+        let is_in_place = values.iter().any(|value| value.contains("θ1"));
         assert!(is_in_place || is_below, "{name}: {values:?} of {:?}, below {below:?}", mark.data);
     }
     let addresses: Vec<_> = marks.iter().map(|mark| mark.data[0].1.clone()).collect();

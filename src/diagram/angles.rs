@@ -2,10 +2,11 @@
 
 use glam::DVec2;
 
-use crate::diagram::arc::{OFF_LINES, arc, beside, is_right, square, stroked};
+use crate::diagram::arc::{Around, OFF_LINES, arc, is_right, square, stroked};
+use crate::diagram::badge::Badge;
 use crate::diagram::generations::Aged;
 use crate::diagram::hits::{Case, MarkedHit};
-use crate::diagram::room::{Room, centered};
+use crate::diagram::room::{CROSSING, Room, centered};
 use crate::diagram::{Figure, key};
 use crate::drawing::{Anchor, Color, Font, Group, Item, Path, Shape, Stroke, Text};
 use crate::numerics::Turn;
@@ -20,6 +21,14 @@ const SQUARE: f64 = 9.0;
 const GRAZING: f64 = 110.0;
 /// A critical angle is shown if the angle of incidence is at least this share of it.
 const NEAR_CRITICAL: f64 = 0.6;
+/// Where the whole figure has no more marked hits than this, shares are written too.
+const FEW: usize = 3;
+/// How far from the hit along a branch the middle of its share is sought, pixels.
+const SHARE_PLACES: [f64; 9] = [74.0, 88.0, 104.0, 122.0, 142.0, 60.0, 164.0, 188.0, 214.0];
+/// Free space between a branch and its share, pixels.
+const SHARE_APART: f64 = 6.0;
+/// Total internal reflection in short.
+const TOTAL: &str = "TIR";
 /// Radius of the ring around a number, pixels.
 const RING: f64 = 7.0;
 
@@ -35,7 +44,7 @@ pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Roo
         let values = if is_crowded { None } else { drawer.values(room) };
         match values {
             Some((first, second)) => {
-                marks.arriving.push(first.into());
+                marks.arriving.extend(first);
                 marks.leaving.extend(second.map(Item::from));
             }
             None => unlabelled.push(place),
@@ -47,6 +56,11 @@ pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Roo
         let drawer = Drawer::new(figure, &hits[place]);
         groups[place].arriving.extend(drawer.number(number, room));
         below.push(drawer.line_below(number));
+    }
+    if hits.len() <= FEW {
+        for (marks, hit) in groups.iter_mut().zip(hits) {
+            marks.leaving.extend(Drawer::new(figure, hit).shares(room).into_iter().map(Item::from));
+        }
     }
     (hits.iter().zip(groups).flat_map(|(hit, marks)| marks.grouped(hit)).collect(), below)
 }
@@ -136,21 +150,56 @@ impl<'a> Drawer<'a> {
     }
 
     /// The values of the light that arrives and of that which goes through, in their places; `None` where they do not fit.
-    fn values(&self, room: &mut Room) -> Option<(Text, Option<Text>)> {
+    fn values(&self, room: &mut Room) -> Option<(Vec<Item>, Option<Text>)> {
         let MarkedHit { normal, back, transmitted, theta_2, .. } = *self.hit;
         let before = room.words();
-        let first = self.beside(&self.first(self.text("", self.color())), normal + back, room)?;
+        let first = self.put_first(normal + back, room)?;
         let Some((theta, transmitted)) = theta_2.zip(transmitted) else { return Some((first, None)) };
         let second = angle(self.text("", self.figure.palette.ink), "2", theta);
-        let second = self.beside(&second, transmitted - normal, room);
+        let second = self.around(transmitted - normal).put(&second, room);
         if second.is_none() {
             room.forget(before);
         }
         Some((first, Some(second?)))
     }
 
-    fn beside(&self, text: &Text, toward: DVec2, room: &mut Room) -> Option<Text> {
-        beside(text, self.hit.at, self.radius, toward.normalize_or_zero(), room)
+    /// The value of the light that arrives, behind a badge if all of it is reflected.
+    fn put_first(&self, toward: DVec2, room: &mut Room) -> Option<Vec<Item>> {
+        let text = self.first(self.text("", self.color()));
+        if !matches!(self.hit.case, Case::Total(_)) {
+            return Some(vec![self.around(toward).put(&text, room)?.into()]);
+        }
+        let badge = Badge::new(TOTAL, text, self.color(), self.figure.palette.ground);
+        Some(badge.items(self.around(toward).middle(badge.bounds(), room)?).into())
+    }
+
+    /// What share of the light that arrives is reflected and what goes through, beside the branches that leave where there is
+    /// room.
+    fn shares(&self, room: &mut Room) -> Vec<Text> {
+        let MarkedHit { reflected, transmitted, shares: [r, t], .. } = *self.hit;
+        let all = [("R", r, reflected), ("T", t, transmitted)].into_iter();
+        let all = all.filter(|(_, share, _)| *share < 1.0);
+        all.filter_map(|(letter, share, along)| self.share(letter, share, along?, room)).collect()
+    }
+
+    fn share(&self, letter: &str, share: f64, along: DVec2, room: &mut Room) -> Option<Text> {
+        let words = format!("{letter}\u{202f}=\u{202f}{:.1}\u{202f}%", 100.0 * share);
+        let text = self.text(&words, self.figure.palette.quiet);
+        let half = 0.5 * text.bounds().size();
+        let off = |across: DVec2| across * (SHARE_APART + (half * across).abs().element_sum());
+        let place = |(step, distance): (f64, f64)| {
+            [along.perp(), -along.perp()].map(|across| (step, self.hit.at + distance * along + off(across)))
+        };
+        let places: Vec<_> = (0..).map(f64::from).zip(SHARE_PLACES).flat_map(place).collect();
+        let (_, middle) = room.best(&text, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
+        let text = centered(&text, middle);
+        room.take(text.bounds());
+        Some(text.classed("share"))
+    }
+
+    fn around(&self, toward: DVec2) -> Around {
+        let MarkedHit { at, transmitted, .. } = *self.hit;
+        Around { at, radius: self.radius, toward: toward.normalize_or_zero(), shares: transmitted.is_some() }
     }
 
     /// A number beside the hit.
@@ -176,7 +225,9 @@ impl<'a> Drawer<'a> {
 
     /// Number and values for the lines below the figure.
     fn line_below(&self, number: u32) -> Text {
-        let text = Text::new(&format!("{number}:\u{a0}"), DVec2::ZERO, key::SIZE, self.color()).classed("angle-value");
+        let is_total = matches!(self.hit.case, Case::Total(_));
+        let words = format!("{number}:\u{a0}{}", if is_total { format!("{TOTAL},\u{a0}") } else { String::new() });
+        let text = Text::new(&words, DVec2::ZERO, key::SIZE, self.color()).classed("angle-value");
         let text = self.first(text);
         self.hit.theta_2.map_or(text.clone(), |theta| angle(text.then(",\u{a0}"), "2", theta))
     }
@@ -187,19 +238,24 @@ impl<'a> Drawer<'a> {
 
     /// Adds the angle of incidence and what it is beside.
     fn first(&self, text: Text) -> Text {
-        let is_total = matches!(self.hit.case, Case::Total(_));
-        let text = if is_total { text.then("TIR:\u{a0}") } else { text };
-        let text = angle(text, "1", self.hit.theta_1);
+        let equal = |text: Text, subscript: &str| {
+            let text = text.then("θ").subscript("1").then("\u{202f}=\u{202f}θ").subscript(subscript);
+            value(text, self.hit.theta_1)
+        };
         match self.hit.case {
-            Case::Total(critical) => angle(text.then("\u{a0}>\u{a0}"), "c", critical),
-            Case::Critical => text.then("\u{a0}=\u{a0}θ").subscript("c"),
-            Case::Brewster => text.then("\u{a0}=\u{a0}θ").subscript("B"),
-            Case::Plain(_) | Case::Mirror => text,
+            Case::Critical => equal(text, "c"),
+            Case::Brewster => equal(text, "B"),
+            Case::Total(critical) => angle(angle(text, "1", self.hit.theta_1).then("\u{202f}>\u{202f}"), "c", critical),
+            Case::Plain(_) | Case::Mirror => angle(text, "1", self.hit.theta_1),
         }
     }
 }
 
 /// Adds an angle in degrees by its letter.
 fn angle(text: Text, subscript: &str, degrees: f64) -> Text {
-    text.then("θ").subscript(subscript).then(&format!("\u{a0}{degrees:.1}°"))
+    value(text.then("θ").subscript(subscript), degrees)
+}
+
+fn value(text: Text, degrees: f64) -> Text {
+    text.then(&format!("\u{202f}=\u{202f}{degrees:.1}°"))
 }

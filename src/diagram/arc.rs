@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::diagram::room::{CROSSING, Room, centered};
-use crate::drawing::{Cap, Color, Item, Path, Shape, Stroke, Text};
+use crate::drawing::{Cap, Color, Item, Path, Rect, Shape, Stroke, Text};
 use crate::numerics::Turn;
 
 /// Cosines below this belong to right angles.
@@ -13,6 +13,10 @@ pub(super) const OFF_LINES: f64 = 4.0;
 /// How far from the arc's middle a value is sought, degrees.
 const ASIDE: [f64; 16] =
     [0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 80.0, -80.0, 110.0, -110.0, 150.0, -150.0, 180.0];
+/// Cost of a ray between an arc and its value, which would seem to be another's.
+const BEYOND: f64 = 4.0;
+/// Cost of a value on the other side of the point than its arc, where that side has values of its own.
+const BEHIND: f64 = 3.0;
 /// How far outside of the arc, pixels.
 const OUTSIDE: [f64; 5] = [4.0, 9.0, 15.0, 22.0, 30.0];
 
@@ -43,20 +47,40 @@ pub(super) fn stroked(path: Path, color: Color) -> Item {
     Shape::stroked(path, Stroke::solid(color, 1.0).capped(Cap::Butt), "").into()
 }
 
-/// A value outside of an arc, as near to where its middle points as there is room off all lines; `None` where there is
-/// none.
-pub(super) fn beside(text: &Text, at: DVec2, radius: f64, toward: DVec2, room: &mut Room) -> Option<Text> {
-    let mut places = Vec::new();
-    let size = text.bounds().size();
-    for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
-        for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
-            let direction = Turn::degrees(aside).apply(toward);
-            let half = (0.5 * size * direction).abs().element_sum();
-            places.push((0.4 * rank + 0.6 * step, at + (radius + outside + half) * direction));
-        }
+/// A point that values stand about.
+#[derive(Clone, Copy)]
+pub(super) struct Around {
+    pub(super) at: DVec2,
+    /// Of the arc, pixels.
+    pub(super) radius: f64,
+    /// Unit direction to the arc's middle.
+    pub(super) toward: DVec2,
+    /// Whether values of its own stand on the other side.
+    pub(super) shares: bool,
+}
+
+impl Around {
+    /// A value outside of the arc, as near to its middle as there is room off all lines; `None` where there is none.
+    pub(super) fn put(&self, text: &Text, room: &mut Room) -> Option<Text> {
+        let middle = self.middle(centered(text, DVec2::ZERO).bounds(), room)?;
+        Some(centered(text, middle))
     }
-    let (_, middle) = room.best(text, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
-    let text = centered(text, middle);
-    room.take(text.bounds());
-    Some(text)
+
+    /// The same for words whose rectangle about their middle is known: where that is.
+    pub(super) fn middle(&self, about: Rect, room: &mut Room) -> Option<DVec2> {
+        let mut places = Vec::new();
+        for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
+            for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
+                let direction = Turn::degrees(aside).apply(self.toward);
+                let half = (0.5 * about.size() * direction).abs().element_sum();
+                let middle = self.at + (self.radius + outside + half) * direction;
+                let beyond = f64::from(room.rays_between(self.at + (self.radius + 2.0) * direction, middle));
+                let behind = if self.shares && aside.abs() > 90.0 { BEHIND } else { 0.0 };
+                places.push((0.4 * rank + 0.6 * step + BEYOND * beyond + behind, middle));
+            }
+        }
+        let (_, middle) = room.best_for(about, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
+        room.take(about.moved(middle));
+        Some(middle)
+    }
 }

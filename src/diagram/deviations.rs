@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::diagram::arc::{arc, beside, is_right, square, stroked};
+use crate::diagram::arc::{Around, arc, is_right, square, stroked};
 use crate::diagram::branches::{Branch, generation};
 use crate::diagram::generations::Aged;
 use crate::diagram::room::Room;
@@ -131,7 +131,8 @@ impl<'a> Deviation<'a> {
         let [first, second] = self.directions;
         let toward = (first + second).normalize_or(first.perp());
         let text = self.value(figure, number, SIZE).anchored(Anchor::Middle);
-        if self.is_seen { beside(&text, self.at, self.radius(), toward, room) } else { None }
+        let around = Around { at: self.at, radius: self.radius(), toward, shares: false };
+        if self.is_seen { around.put(&text, room) } else { None }
     }
 
     fn draw(&self, figure: &Figure<'_>, value: Option<Text>) -> Item {

@@ -40,6 +40,8 @@ pub(super) struct MarkedHit<'a> {
     pub(super) theta_1: f64,
     /// Angle of transmission, degrees.
     pub(super) theta_2: Option<f64>,
+    /// Shares of the light that arrives, 0 to 1: reflected, transmitted.
+    pub(super) shares: [f64; 2],
     /// What is remarkable about it.
     pub(super) case: Case,
 }
@@ -107,6 +109,7 @@ fn marked_hit<'a>(figure: &Figure<'_>, branch: &'a Branch<'_>) -> Option<MarkedH
         along: turn(hit.sin_i.signum() * hit.tangent()),
         theta_1,
         theta_2,
+        shares: [hit.reflected_share(power), hit.transmitted_share(power)],
         case: case(&hit, theta_1, refracts),
     })
 }

@@ -6,6 +6,7 @@ mod angles;
 mod arc;
 mod arrows;
 mod axes;
+mod badge;
 mod blend;
 mod bodies;
 mod branches;

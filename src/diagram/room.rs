@@ -5,6 +5,7 @@ use glam::DVec2;
 use crate::diagram::frame::clip;
 use crate::diagram::{Figure, notes};
 use crate::drawing::{Item, PathStep, Rect, Text, pixel};
+use crate::numerics::cross;
 
 /// Lines beyond this many are not kept free.
 const MOST_LINES: usize = 3000;
@@ -18,7 +19,9 @@ const APART: f64 = 3.0;
 /// What is free and what is not.
 pub(super) struct Room {
     pub(super) area: Rect,
+    /// All lines that words keep off, and the rays among them.
     lines: Vec<[DVec2; 2]>,
+    rays: Vec<[DVec2; 2]>,
     taken: Vec<Rect>,
 }
 
@@ -27,10 +30,11 @@ impl Room {
     /// [added](Self::keep_off_item).
     pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>) -> Self {
         let mut lines: Vec<[DVec2; 2]> = outlines.collect();
-        lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
+        let rays: Vec<[DVec2; 2]> = figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends).collect();
+        lines.extend_from_slice(&rays);
         let notes = notes::notes(figure).into_iter();
         let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };
-        Self { area: figure.frame.area, lines, taken: notes.filter_map(bounds).collect() }
+        Self { area: figure.frame.area, lines, rays, taken: notes.filter_map(bounds).collect() }
     }
 
     /// No more words here.
@@ -56,6 +60,15 @@ impl Room {
     /// A mark more to keep off, if it is a straight line.
     pub(super) fn keep_off_item(&mut self, item: &Item) {
         self.lines.extend(straight(item));
+    }
+
+    /// How many rays cross the way between two points.
+    pub(super) fn rays_between(&self, a: DVec2, b: DVec2) -> u32 {
+        let crosses = |[c, d]: &&[DVec2; 2]| {
+            let [from_line, from_way] = [[a, b].map(|p| cross(*d - *c, p - *c)), [*c, *d].map(|p| cross(b - a, p - a))];
+            from_line[0] * from_line[1] < 0.0 && from_way[0] * from_way[1] < 0.0
+        };
+        u32::try_from(self.rays.iter().filter(crosses).count()).unwrap_or(u32::MAX)
     }
 
     /// The cheapest of some middles with their costs for a text, `off` pixels from lines; `None` if every one is forbidden.

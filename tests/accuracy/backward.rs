@@ -66,20 +66,21 @@ impl Backward {
     /// The interface of a body that a point lies on, how far off it is, and how far its normal there is turned from `n`.
     fn interface<'a>(&self, run: &'a Run, body: usize, at: Wide2, n: Wide2) -> (&'a Interface, f64, f64) {
         let own = run.system.interfaces().iter().filter(|interface| interface.body == body);
-        let fits = own.map(|interface| {
-            let (off, normal) = offset(&interface.curve, at);
-            (interface, narrow(off).abs(), narrow(normal.cross(n)).abs())
+        let fits = own.filter_map(|interface| {
+            let (off, normal) = offset(&interface.curve, at)?;
+            Some((interface, narrow(off).abs(), narrow(normal.cross(n)).abs()))
         });
         fits.min_by(|a, b| (a.1 + a.2).total_cmp(&(b.1 + b.2))).unwrap()
     }
 }
 
-/// Distance of a point from a curve's whole line or circle, and the unit normal there.
-fn offset(curve: &Curve, p: Wide2) -> (f256, Wide2) {
+/// Distance of a point from a curve's whole line or circle, and the unit normal there; `None` in the circle's center.
+fn offset(curve: &Curve, p: Wide2) -> Option<(f256, Wide2)> {
     let (n, curvature, q) = (Wide2::from(curve.n).unit(), wide(curve.curvature), p - Wide2::from(curve.m));
     let gradient = n - curvature * q;
     let value = wide(2.0) * n.dot(q) - curvature * q.dot(q);
-    (value / (f256::ONE + gradient.length()), gradient.unit())
+    let length = gradient.length();
+    (length > f256::ZERO).then(|| (value / (f256::ONE + length), gradient.unit()))
 }
 
 /// By how much V and T must be turned and both indices changed, relatively, for Snell's law to hold.
