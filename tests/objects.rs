@@ -158,6 +158,23 @@ fn a_flat_mirror_mirrors_foot_and_tip() {
     }
 }
 
+/// Coordinates of a turned scene are written with a few digits: the object leans by what was rounded off.
+#[test]
+fn a_rounded_object_has_the_image_of_the_exact_one() {
+    let image = |from: &str, to: &str| {
+        let run = run_text(&format!(
+            "(bodies: [(shape: Lens(radii: (60, -60), thickness: 8, diameter: 40), rotate: 20, medium: Index(1.5))],
+            sources: [(light: Object(from: {from}, to: {to}))], trace: (secondary_rays: TransmittedOnly))"
+        ));
+        let images = object_images(&run.system, &run.trace.tree);
+        let image = images.last().unwrap();
+        image.tip - image.foot
+    };
+    let exact = image("(-75.17540966287267, -27.361611466053496)", "(-78.25377024272932, -18.904068500904426)");
+    let rounded = image("(-75.18, -27.36)", "(-78.25, -18.90)");
+    assert!(exact.normalize().perp_dot(rounded.normalize()).abs() < 0.01, "{exact} {rounded}");
+}
+
 #[test]
 fn foot_and_tip_of_an_oblique_object_each_have_their_own_distance() {
     let image_of = |p: DVec2| {

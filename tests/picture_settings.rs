@@ -319,3 +319,24 @@ fn some_lines_add_up_to_their_color() {
     let printed = channels(&rays(&scene("Light"))["0.0@546:tt"]["stroke"]);
     assert!(printed[1] < green[1] && printed[1] > printed[2], "readable on white: {printed:?}");
 }
+
+/// Every label in the figure.
+fn labels(scene: &str) -> Vec<String> {
+    marks(scene, "label").into_iter().map(|mark| mark["text"].replace('\u{a0}', " ")).collect()
+}
+
+#[test]
+fn media_are_labelled_with_name_and_index() {
+    let scene = |surroundings: &str, body: &str| {
+        format!(
+            "(surroundings: {surroundings}, bodies: [(shape: {body}, medium: Catalog(\"N-BK7\"), name: \"glass\")],
+            sources: [(light: Ray(from: (-60, 5), direction: Angle(0)))])"
+        )
+    };
+    assert_eq!(labels(&scene("Index(1)", "Rectangle(60, 60)")), ["glass, n = 1.517"]);
+    assert_eq!(labels(&scene("Catalog(\"air\")", "Rectangle(2, 40)")), ["glass, n = 1.517"], "beside a thin one");
+    assert_eq!(labels(&scene("Catalog(\"water\")", "Rectangle(60, 60)")), ["glass, n = 1.517", "water, n = 1.333"]);
+    assert_eq!(labels(&scene("Index(1.4)", "Rectangle(60, 60)"))[1], "n = 1.4");
+    let gas = scene("Index(1)", "Rectangle(60, 60)").replace("Catalog(\"N-BK7\")", "Index(1.00029)");
+    assert_eq!(labels(&gas), ["glass, n = 1.00029"], "three decimals would say that it is empty");
+}

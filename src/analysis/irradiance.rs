@@ -8,7 +8,7 @@ use crate::system::OpticalSystem;
 use crate::trace::{Ending, RayTree, Segment, TracedRay};
 
 /// So many equal parts a screen has.
-const PARTS: usize = 240;
+const PARTS: usize = 241;
 
 /// Irradiance along a screen.
 ///
@@ -35,6 +35,8 @@ pub struct Irradiance {
 pub struct Curve {
     /// Vacuum wavelength.
     pub wavelength: Wavelength,
+    /// Branches that landed.
+    pub hits: usize,
     /// Power per length, in the sources' unit per scene unit, of equal parts of the screen from its first point on.
     pub values: Vec<f64>,
 }
@@ -82,12 +84,13 @@ fn on_screen(system: &OpticalSystem, body: usize, lines: Lines) -> Irradiance {
     let is_closed = outline.is_some_and(|outline| outline.closed);
     let hits = lines.values().flat_map(|(_, ways)| ways.values()).map(Vec::len).sum();
     let curves = lines.into_values().map(|(wavelength, ways)| {
-        let mut parts = Parts::new(length);
+        let mut parts = Parts::new(length, is_closed);
+        let hits = ways.values().map(Vec::len).sum();
         for mut landed in ways.into_values() {
             landed.sort_by_key(|landed| landed.ray);
             landed.chunk_by(|a, b| are_neighbors(a, b, length, is_closed)).for_each(|run| parts.add_run(run));
         }
-        Curve { wavelength, values: parts.values() }
+        Curve { wavelength, hits, values: parts.values() }
     });
     Irradiance { body, length, hits, curves: curves.collect() }
 }
@@ -104,46 +107,88 @@ fn are_neighbors(a: &Landed, b: &Landed, length: f64, is_closed: bool) -> bool {
     b.ray - a.ray == 1 && !(is_closed && (b.position - a.position).abs() > 0.5 * length)
 }
 
+/// A part of a screen that a ray stands for.
+struct Stretch {
+    from: f64,
+    to: f64,
+    /// Where the ray landed.
+    at: f64,
+    power: f64,
+}
+
+impl Stretch {
+    fn moved(&self, by: f64) -> Self {
+        Self { from: self.from + by, to: self.to + by, at: self.at + by, ..*self }
+    }
+
+    /// The share of it between two positions; all of it where it has no length.
+    fn covered(&self, begin: f64, end: f64) -> f64 {
+        let length = self.to - self.from;
+        if length > 0.0 { ((self.to.min(end) - self.from.max(begin)) / length).clamp(0.0, 1.0) } else { 1.0 }
+    }
+}
+
 /// Power in equal parts of a screen.
 struct Parts {
     width: f64,
+    /// Whether the last part is beside the first.
+    is_closed: bool,
     power: Vec<Sum>,
 }
 
 impl Parts {
-    fn new(length: f64) -> Self {
-        Self { width: length / count(PARTS), power: vec![Sum::default(); PARTS] }
+    fn new(length: f64, is_closed: bool) -> Self {
+        Self { width: length / count(PARTS), is_closed, power: vec![Sum::default(); PARTS] }
     }
 
     fn values(&self) -> Vec<f64> {
         self.power.iter().map(|power| power.value() / self.width).collect()
     }
 
-    /// Spreads the power of neighbors.
+    /// Spreads the power of neighbors. What their stretches have beyond the screen's ends is shared by all of them: the light
+    /// there would not have landed.
     fn add_run(&mut self, run: &[Landed]) {
-        for (place, landed) in run.iter().enumerate() {
+        let stretches = run.iter().enumerate().map(|(place, landed)| {
             let half_way = |neighbor: Option<&Landed>| neighbor.map(|next| 0.5 * (next.position - landed.position));
             let before = half_way(place.checked_sub(1).and_then(|place| run.get(place)));
             let behind = half_way(run.get(place + 1));
             let from = landed.position + before.or(behind.map(|way| -way)).unwrap_or(0.0);
             let to = landed.position + behind.or(before.map(|way| -way)).unwrap_or(0.0);
-            self.spread(from.min(to), from.max(to), landed.power);
+            Stretch { from: from.min(to), to: from.max(to), at: landed.position, power: landed.power }
+        });
+        let stretches: Vec<Stretch> = stretches.collect();
+        let length = self.width * count(PARTS);
+        let landed: f64 = stretches.iter().map(|stretch| stretch.power).sum();
+        let kept: f64 = stretches.iter().map(|stretch| stretch.power * stretch.covered(0.0, length)).sum();
+        for stretch in &stretches {
+            if self.is_closed {
+                // What lies beyond one end lies within the other.
+                for turn in [-length, 0.0, length] {
+                    self.spread(&stretch.moved(turn));
+                }
+            } else {
+                self.spread(&Stretch { power: stretch.power * (landed / kept), ..*stretch });
+            }
         }
     }
 
-    /// Spreads power evenly over a stretch; what lies beyond the screen's ends comes to lie on it.
-    fn spread(&mut self, from: f64, to: f64, power: f64) {
+    /// Spreads power evenly over a stretch, as far as the screen goes.
+    fn spread(&mut self, stretch: &Stretch) {
+        let (first, last) = (self.part(stretch.from), self.part(stretch.to));
         let length = self.width * count(PARTS);
-        let (from, to) = (from.clamp(0.0, length), to.clamp(0.0, length));
-        let (first, last) = (self.part(from), self.part(to));
-        if first == last {
-            self.power[first].add(power);
+        if stretch.to < 0.0 || stretch.from > length {
             return;
         }
         for part in first..=last {
             let (begin, end) = (self.width * count(part), self.width * count(part + 1));
-            let covered = (to.min(end) - from.max(begin)).max(0.0);
-            self.power[part].add(power * (covered / (to - from)));
+            // Rounding must not lose what lies on the screen's ends.
+            let end = if part + 1 == PARTS && !self.is_closed { end.max(stretch.at) } else { end };
+            let share = if first == last {
+                stretch.covered(0.0, self.width * count(PARTS))
+            } else {
+                stretch.covered(begin, end)
+            };
+            self.power[part].add(stretch.power * share);
         }
     }
 

@@ -33,8 +33,8 @@ pub struct LeastDeviation {
 ///
 /// # Source
 /// Hecht, "Optics", 4th ed., section 5.5.1, for prisms, whose closed form is
-/// [`minimum_deviation`](crate::laws::minimum_deviation); Descartes' construction of the rainbow: Born & Wolf, "Principles of Optics", 7th
-/// ed., section 4.7.2, and van de Hulst, "Light Scattering by Small Particles", section 12.3.
+/// [`minimum_deviation`](crate::laws::minimum_deviation); for the rainbow, van de Hulst, "Light Scattering by Small Particles", chapter
+/// 13.
 #[must_use]
 pub fn least_deviation(
     system: &OpticalSystem,

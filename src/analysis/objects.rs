@@ -8,8 +8,8 @@ use crate::trace::{RayTree, Segment, SegmentId, TracedRay, trace};
 
 /// Rays that pass their focus farther off than this share of the image's height make no image.
 const SHARP: f64 = 0.05;
-/// An object that leans by less than this, radians, stands across the axis.
-const UPRIGHT: f64 = 1e-9;
+/// An object that leans by less than this, radians, stands across the axis: coordinates are written with few digits.
+const UPRIGHT: f64 = 0.02;
 /// A tip nearer to the axis than this share of the object's height is on it.
 const ON_AXIS: f64 = 1e-6;
 /// Light gets as far as where it is stopped, up to this share of its way.

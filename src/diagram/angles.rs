@@ -35,9 +35,13 @@ const RING: f64 = 7.0;
 /// The marks, a group a hit for the light that arrives and one for the light that leaves, and what stands below the figure
 /// for the hits that are only numbered.
 pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Room) -> (Vec<Aged>, Vec<Text>) {
-    let mut groups = Vec::new();
+    let mut groups: Vec<Marks> = hits.iter().map(|_| Marks::default()).collect();
     let mut unlabelled = Vec::new();
-    for (place, hit) in hits.iter().enumerate() {
+    // Badges are the widest.
+    let (total, others): (Vec<usize>, Vec<usize>) =
+        (0..hits.len()).partition(|place| matches!(hits[*place].case, Case::Total(_)));
+    for place in total.into_iter().chain(others) {
+        let hit = &hits[place];
         let is_crowded = hits[..place].iter().any(|other| (other.at - hit.at).length() < 2.0 * RADIUS);
         let drawer = Drawer::new(figure, hit);
         let mut marks = if is_crowded { Marks::default() } else { drawer.lines(room) };
@@ -49,8 +53,9 @@ pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Roo
             }
             None => unlabelled.push(place),
         }
-        groups.push(marks);
+        groups[place] = marks;
     }
+    unlabelled.sort_unstable();
     let mut below = Vec::new();
     for (number, place) in (1..).zip(unlabelled) {
         let drawer = Drawer::new(figure, &hits[place]);

@@ -17,6 +17,8 @@ const ASIDE: [f64; 16] =
 const BEYOND: f64 = 4.0;
 /// Cost of a value on the other side of the point than its arc, where that side has values of its own.
 const BEHIND: f64 = 3.0;
+/// Cost of a value that is nearer to another point with values.
+const STRANGE: f64 = 2.0;
 /// How far outside of the arc, pixels.
 const OUTSIDE: [f64; 5] = [4.0, 9.0, 15.0, 22.0, 30.0];
 
@@ -76,7 +78,8 @@ impl Around {
                 let middle = self.at + (self.radius + outside + half) * direction;
                 let beyond = f64::from(room.rays_between(self.at + (self.radius + 2.0) * direction, middle));
                 let behind = if self.shares && aside.abs() > 90.0 { BEHIND } else { 0.0 };
-                places.push((0.4 * rank + 0.6 * step + BEYOND * beyond + behind, middle));
+                let strange = if room.is_nearer_to_another(&about.moved(middle), self.at) { STRANGE } else { 0.0 };
+                places.push((0.4 * rank + 0.6 * step + BEYOND * beyond + behind + strange, middle));
             }
         }
         let (_, middle) = room.best_for(about, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;

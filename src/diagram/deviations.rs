@@ -9,7 +9,7 @@ use crate::diagram::room::Room;
 use crate::diagram::{Figure, key};
 use crate::drawing::{Anchor, Group, Item, Path, Shape, Text};
 use crate::explain::find;
-use crate::numerics::{atan2_degrees, cross};
+use crate::numerics::{Turn, atan2_degrees, cross};
 use crate::scene::{Problem, Scene};
 use crate::trace::{RayTree, Segment, SegmentId, TracedRay};
 
@@ -24,6 +24,8 @@ const SQUARE: f64 = 18.0;
 const BEYOND: f64 = 26.0;
 /// No arc is drawn between directions closer than this, degrees.
 const SMALLEST: f64 = 0.05;
+/// Chords that words keep off in place of the arc.
+const PIECES: u32 = 8;
 /// Lines that meet farther away than this many sizes of the frame count as parallel.
 const FAR: f64 = 4.0;
 
@@ -37,7 +39,7 @@ pub(super) fn found<'a>(figure: &'a Figure<'_>, room: &mut Room) -> Vec<Deviatio
     let found: Vec<Deviation<'_>> = found.collect();
     for deviation in found.iter().filter(|deviation| deviation.is_seen) {
         deviation.lines(figure).iter().for_each(|item| room.keep_off_item(item));
-        room.keep_off(deviation.directions.map(|direction| deviation.at + deviation.radius() * direction));
+        deviation.pieces().into_iter().for_each(|piece| room.keep_off(piece));
     }
     found
 }
@@ -119,6 +121,15 @@ impl<'a> Deviation<'a> {
             return SQUARE;
         }
         (SHORTEST_ARC / self.degrees.max(SMALLEST).to_radians()).clamp(RADII[0], RADII[1])
+    }
+
+    /// Its arc as short chords.
+    fn pieces(&self) -> Vec<[DVec2; 2]> {
+        let [first, second] = self.directions;
+        let sense = cross(first, second).signum();
+        let turned = |share: f64| Turn::degrees(sense * share * self.degrees).apply(first);
+        let point = |step: u32| self.at + self.radius() * turned(f64::from(step) / f64::from(PIECES));
+        (0..PIECES).map(|step| [point(step), point(step + 1)]).collect()
     }
 
     fn value(&self, figure: &Figure<'_>, number: &str, size: f64) -> Text {

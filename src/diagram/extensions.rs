@@ -20,6 +20,8 @@ const REACH: f64 = 4.0;
 const STRONG: f64 = 0.2;
 /// A way that a ray did not go is drawn on by this many pixels, so that the angle between the two is seen.
 const BEYOND: f64 = 200.0;
+/// Normals of one face have a cosine above this.
+const SAME_FACE: f64 = 0.7;
 /// A shorter extension is not drawn, pixels.
 const SHORTEST: f64 = 3.0;
 /// More would be noise.
@@ -142,6 +144,7 @@ impl<'a> Way<'a> {
             self.segments.first().map(|s| s.from) == other.segments.first().map(|s| s.from)
         };
         near && self.letters == other.letters
+            && self.segments.iter().zip(&other.segments).all(|(a, b)| meet_one_face(a, b))
     }
 
     /// For every segment in the medium that the light came from: back to where its line meets the farther neighbor's.
@@ -210,6 +213,14 @@ impl<'a> Way<'a> {
             return Vec::new();
         }
         vec![self.line(first, hit, hit + first.direction * along, true)]
+    }
+}
+
+/// Whether two segments end at one face of a body, or at two that continue each other.
+fn meet_one_face(a: &Segment, b: &Segment) -> bool {
+    match (a.hit, b.hit) {
+        (Some(a), Some(b)) => a.body == b.body && a.normal.dot(b.normal) > SAME_FACE,
+        (a, b) => a.is_none() == b.is_none(),
     }
 }
 

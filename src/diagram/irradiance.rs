@@ -14,6 +14,8 @@ use crate::trace::RayTree;
 
 /// Fewer branches on a screen make no curve.
 const FEWEST: usize = 16;
+/// And of one line fewer than these.
+const FEWEST_OF_A_LINE: usize = 4;
 /// A smaller figure has no room for curves, pixels.
 const SMALLEST: [u32; 2] = [400, 240];
 /// Width of the strip as a share of the figure's, and no less than this, pixels.
@@ -38,7 +40,11 @@ pub(super) fn screens(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> 
     if !(scene.diagram.irradiance && has_room) {
         return Vec::new();
     }
-    analysis::irradiance(system, tree).into_iter().filter(|screen| screen.hits >= FEWEST).collect()
+    analysis::irradiance(system, tree).into_iter().filter(is_curve).collect()
+}
+
+fn is_curve(screen: &Irradiance) -> bool {
+    screen.hits >= FEWEST && screen.curves.iter().any(|curve| curve.hits >= FEWEST_OF_A_LINE)
 }
 
 /// Width that the curves take from the scene, pixels.

@@ -1,9 +1,9 @@
 use glam::DVec2;
 
-use crate::diagram::room::{Room, centered};
+use crate::diagram::room::{CROSSING, Room, centered};
 use crate::diagram::{Figure, bodies, outline, surfaces};
 use crate::drawing::{Anchor, Color, Item, Rect, Text};
-use crate::scene::{Substance, Surface};
+use crate::scene::{Medium, Substance, Surface};
 
 const SIZE: f64 = 12.0;
 /// Distance of the baselines of a label's two lines, pixels.
@@ -12,6 +12,12 @@ const LINE_HEIGHT: f64 = 15.0;
 const GAP: f64 = 11.0;
 /// A place that costs less needs no other.
 const GOOD: f64 = 8.0;
+/// Smaller indices belong to gases.
+const GAS: f64 = 1.01;
+/// Surroundings of a smaller index are empty space or air and need no words.
+const LEAST_SURROUNDINGS: f64 = 1.01;
+/// Free space between the words for the surroundings and others, pixels.
+const APART: f64 = 10.0;
 /// Free space between a label and lines, pixels.
 const OFF_LINES: f64 = 6.0;
 
@@ -26,17 +32,53 @@ pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room
         homes.own = k;
         let with_index = || {
             let [words, index] = words_with_index(figure, k)?;
-            let one_line = [text(figure, k, &[words.as_str(), &index].join(if words.is_empty() { "" } else { ", " }))];
+            let one_line = text(figure, k, &[words.as_str(), &index].join(if words.is_empty() { "" } else { ", " }));
+            let is_named = !words.is_empty();
             let two_lines = [words, index].map(|words| text(figure, k, &words));
-            place_inside(&one_line, k, shapes, room).or_else(|| place_inside(&two_lines, k, shapes, room))
+            let inside = |lines: &[Text]| place_inside(lines, k, shapes, room);
+            inside(std::slice::from_ref(&one_line)).or_else(|| inside(&two_lines)).or_else(|| {
+                let (cost, text) = place(&one_line, &homes, shapes, room)?;
+                (is_named && cost < CROSSING).then(|| vec![text])
+            })
         };
-        let by_itself = || Some(vec![place(&text(figure, k, words(figure, k)?), &homes, shapes, room)?]);
+        let by_itself = || Some(vec![place(&text(figure, k, words(figure, k)?), &homes, shapes, room)?.1]);
         for text in with_index().or_else(by_itself).into_iter().flatten() {
             room.take(text.bounds());
             items.push(text.into());
         }
     }
+    items.extend(surroundings(figure, shapes, room));
     items
+}
+
+/// What stands around the bodies, if that is not empty space or air, in a corner of the frame.
+fn surroundings(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room) -> Option<Item> {
+    let [line] = figure.system.wavelengths()[..] else { return None };
+    let index = figure.system.index(figure.system.surroundings(), line);
+    let is_told = figure.scene.notes.iter().any(|note| note.text.contains("n ="));
+    if index < LEAST_SURROUNDINGS || is_told {
+        return None;
+    }
+    let words = match &figure.scene.surroundings {
+        Medium::Catalog(name) => format!("{name}, {}", index_words(index)),
+        _ => index_words(index),
+    };
+    let text = Text::new(&words, DVec2::ZERO, SIZE, figure.palette.outline).anchored(Anchor::Middle).classed("label");
+    let half = 0.5 * text.bounds().size() + GAP;
+    let Rect { min, max } = room.area;
+    let corners = [0.0, 0.15, 0.3].map(|share| {
+        let [left, right] = [min.x + half.x, max.x - half.x].map(|x| x + share * (0.5 * (min.x + max.x) - x));
+        [max.y - half.y, min.y + half.y].map(|y| [(left, y), (right, y)])
+    });
+    let corners = (0..).map(f64::from).zip(corners.into_iter().flatten().flatten());
+    let places: Vec<_> = corners.map(|(rank, at)| (0.1 * rank, DVec2::from(at))).collect();
+    let about = centered(&text, DVec2::ZERO).bounds();
+    let is_outside = |place: &&(f64, DVec2)| !shapes.iter().flatten().any(|shape| covers(shape, &about.moved(place.1)));
+    let free: Vec<_> = places.iter().filter(is_outside).copied().collect();
+    let (_, middle) = room.best_for(about.grown(APART), &free, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
+    let text = centered(&text, middle);
+    room.take(text.bounds());
+    Some(text.into())
 }
 
 fn text(figure: &Figure<'_>, k: usize, words: &str) -> Text {
@@ -57,8 +99,8 @@ fn lined_up(lines: &[Text], middle: DVec2) -> Vec<Text> {
     lines.iter().zip(heights).map(|(line, height)| centered(line, middle + DVec2::new(0.0, height))).collect()
 }
 
-/// A text in the best place inside of its body or beside it.
-fn place(text: &Text, homes: &Homes, shapes: &[Vec<Shape>], room: &Room) -> Option<Text> {
+/// A text in the best place inside of its body or beside it, with its cost.
+fn place(text: &Text, homes: &Homes, shapes: &[Vec<Shape>], room: &Room) -> Option<(f64, Text)> {
     let k = homes.own;
     let about = centered(text, DVec2::ZERO).bounds();
     let inside = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, &room.area), OFF_LINES);
@@ -67,7 +109,7 @@ fn place(text: &Text, homes: &Homes, shapes: &[Vec<Shape>], room: &Room) -> Opti
         let beside = room.best(text, &places, OFF_LINES);
         [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
     });
-    place.map(|(_, middle)| centered(text, middle))
+    place.map(|(cost, middle)| (cost, centered(text, middle)))
 }
 
 /// The outline's color, deep enough to read on the fill.
@@ -90,13 +132,19 @@ fn words_with_index(figure: &Figure<'_>, k: usize) -> Option<[String; 2]> {
     if !is_alike || index <= 1.0 {
         return None;
     }
-    let index = format!("n\u{a0}=\u{a0}{}", (1000.0 * index).round() / 1000.0);
+    let index = index_words(index);
     match words(figure, k) {
         Some(words) if words.contains('=') => None,
         Some(words) => Some([words.to_owned(), index]),
         None if body.label.is_some() || !figure.scene.notes.is_empty() => None,
         None => Some([String::new(), index]),
     }
+}
+
+/// An index to three decimals, of gases to five.
+fn index_words(index: f64) -> String {
+    let steps = if index < GAS { 1e5 } else { 1e3 };
+    format!("n\u{a0}=\u{a0}{}", (steps * index).round() / steps)
 }
 
 /// An outline as chords.

@@ -12,6 +12,7 @@ use crate::drawing::{Group, Item, Text};
 /// Marks between the bodies and the rays or on top of them, by layer.
 #[derive(Default)]
 struct Marks {
+    grid: Vec<Item>,
     axes: Vec<Item>,
     planes: Vec<Item>,
     normals: Vec<Aged>,
@@ -33,7 +34,7 @@ pub(super) fn layers(figure: &mut Figure<'_>, spared: usize) -> (Vec<Item>, Vec<
     let settings = &figure.scene.diagram;
     let mut marks = marks(figure, stack.has_generations);
     stack.put("bodies", bodies::bodies(figure));
-    stack.put("grid", if settings.grid { grid::grid(figure) } else { Vec::new() });
+    stack.put("grid", marks.grid);
     stack.put("surfaces", surfaces::surfaces(figure));
     stack.put("axes", marks.axes);
     stack.put("principal-planes", marks.planes);
@@ -67,6 +68,7 @@ pub(super) fn layers(figure: &mut Figure<'_>, spared: usize) -> (Vec<Item>, Vec<
 fn marks(figure: &Figure<'_>, is_uncrowded: bool) -> Marks {
     let settings = &figure.scene.diagram;
     let mut marks = Marks {
+        grid: if settings.grid { grid::grid(figure) } else { Vec::new() },
         axes: if settings.optical_axis { axes::axes(figure) } else { Vec::new() },
         planes: cardinal::planes(figure),
         normals: if settings.normals { normals::normals(figure) } else { Vec::new() },
@@ -79,8 +81,14 @@ fn marks(figure: &Figure<'_>, is_uncrowded: bool) -> Marks {
     let mut room = Room::new(figure, labels::chords(&shapes));
     let aged = [&marks.normals, &marks.extensions, &marks.objects].into_iter().flatten().map(|(_, item)| item);
     aged.chain(&marks.axes).chain(&marks.planes).for_each(|item| room.keep_off_item(item));
+    for item in &marks.grid {
+        room.take_words(item);
+    }
     let found = deviations::found(figure, &mut room);
     let hits = if is_uncrowded { hits::marked(figure) } else { Vec::new() };
+    let protractors = if settings.protractor { protractors::chosen(figure, &hits) } else { Vec::new() };
+    protractors.iter().for_each(|protractor| protractor.keep_off(&mut room));
+    room.anchors = hits.iter().map(|hit| hit.at).collect();
     if settings.angles {
         (marks.angles, marks.below) = angles::angles(figure, &hits, &mut room);
     }
@@ -89,9 +97,7 @@ fn marks(figure: &Figure<'_>, is_uncrowded: bool) -> Marks {
     marks.below.extend(unplaced);
     marks.labels = cardinal::letters(figure, &mut room);
     marks.object_labels = objects::words(figure, &mut room);
-    if settings.protractor {
-        marks.protractors = protractors::protractors(figure, &hits, &mut room);
-    }
+    marks.protractors = protractors.iter().flat_map(|protractor| protractor.items(figure, &mut room)).collect();
     marks.labels.extend(labels::labels(figure, &shapes, &mut room));
     marks
 }

@@ -14,6 +14,8 @@ use crate::trace::{RayTree, Via};
 const MOST_LINES: usize = 6;
 /// Shares of which a sample is shown.
 const SHARES: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
+/// The same where all branches are stronger than a tenth.
+const STRONG_SHARES: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// The entries for the lines below the figure; `spared` branches are below the faintest that is drawn.
 pub(super) fn legend(figure: &Figure<'_>, spared: usize) -> Vec<Entry> {
@@ -36,8 +38,9 @@ pub(super) fn legend(figure: &Figure<'_>, spared: usize) -> Vec<Entry> {
 
 /// Whether some branch carries so little that the legend will have something to tell.
 pub(super) fn has_weak_branches(scene: &Scene, tree: &RayTree) -> bool {
-    let weak = SHARES[1].max(scene.diagram.faintest);
-    tree.rays.iter().any(|ray| ray.segments.iter().any(|segment| share(ray, segment) < weak))
+    let weak = STRONG_SHARES[1];
+    let is_weak = |share: f64| share < weak && share >= scene.diagram.faintest;
+    tree.rays.iter().any(|ray| ray.segments.iter().any(|segment| is_weak(share(ray, segment))))
 }
 
 fn text(figure: &Figure<'_>, words: &str) -> Text {
@@ -73,19 +76,21 @@ fn lines(figure: &Figure<'_>) -> Vec<Entry> {
     known.iter().map(entry).collect()
 }
 
-/// How branches came about, of those that there are.
+/// How branches came about, of those that there are; those of sources with a color of their own do not tell it.
 fn ways(figure: &Figure<'_>) -> Vec<Entry> {
     let ways = [Via::Source, Via::Transmission, Via::Reflection, Via::TotalInternalReflection];
-    let is_there = |via: &Via| figure.branches.iter().any(|branch| branch.segment.via == *via);
+    let own = |branch: &Branch<'_>| figure.scene.sources.get(branch.ray.source).and_then(|source| source.color);
+    let is_there = |via: &Via| figure.branches.iter().any(|branch| branch.segment.via == *via && own(branch).is_none());
     let entry =
         |via: Via| Entry { sample: Some(figure.styles.way(via)), text: text(figure, &via.word().replace('_', " ")) };
     ways.into_iter().filter(is_there).map(entry).collect()
 }
 
-/// Samples of shares, where branches differ in them by more than one sample.
+/// Samples of shares, where branches differ in them by more than one sample. Dashes tell other things.
 fn shares(figure: &Figure<'_>, strongest: &Branch<'_>) -> Vec<Entry> {
     let weakest = figure.branches.iter().map(|branch| branch.share).fold(f64::INFINITY, f64::min);
-    let shown: Vec<_> = SHARES.into_iter().filter(|share| *share >= 0.9 * weakest).collect();
+    let steps = if weakest > SHARES[1] { STRONG_SHARES.as_slice() } else { SHARES.as_slice() };
+    let shown: Vec<_> = steps.iter().copied().filter(|share| *share >= 0.9 * weakest).collect();
     if shown.len() < 2 {
         return Vec::new();
     }
@@ -93,7 +98,8 @@ fn shares(figure: &Figure<'_>, strongest: &Branch<'_>) -> Vec<Entry> {
         let branch = Branch { share: *share, ..*strongest };
         let rest = if place + 1 == shown.len() { " of a source's ray" } else { "" };
         let words = format!("{}\u{a0}%{rest}", percent(100.0 * share));
-        Entry { sample: Some(figure.styles.stroke(&branch, strength(*share))), text: text(figure, &words) }
+        let sample = Stroke { dash: Vec::new(), ..figure.styles.stroke(&branch, strength(*share)) };
+        Entry { sample: Some(sample), text: text(figure, &words) }
     };
     shown.iter().enumerate().map(entry).collect()
 }

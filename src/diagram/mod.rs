@@ -175,7 +175,8 @@ impl Figure<'_> {
     /// The layers with what stands below the scene.
     fn with_key(&self, mut layers: Vec<Item>, below: &[Entry]) -> Vec<Item> {
         let Rect { min, max } = self.frame.area;
-        let items = key::items(below, DVec2::new(min.x, max.y), max.x - min.x);
+        let bar = if self.scene.diagram.scale_bar { scale_bar::HEIGHT } else { 0.0 };
+        let items = key::items(below, DVec2::new(min.x, max.y + bar), max.x - min.x);
         if !items.is_empty() {
             layers.push(Group::layer("key", items).into());
         }

@@ -1,6 +1,7 @@
 use glam::DVec2;
 
 use crate::diagram::Figure;
+use crate::diagram::wrap::wrap;
 use crate::drawing::{Anchor, Font, Item, Text};
 
 const SIZE: f64 = 13.0;
@@ -11,11 +12,13 @@ pub(super) fn notes(figure: &Figure<'_>) -> Vec<Item> {
     let mut items: Vec<Item> = Vec::new();
     for note in &figure.scene.notes {
         let middle = figure.frame.place(note.at);
-        let lines: Vec<&str> = note.text.lines().filter(|line| !line.trim().is_empty()).collect();
+        let width = figure.frame.area.size().x / SIZE;
+        let lines = note.text.lines().flat_map(|line| wrap(line, Font::Oblique, width));
+        let lines: Vec<String> = lines.filter(|line| !line.trim().is_empty()).collect();
         let count = u32::try_from(lines.len()).map_or(0.0, f64::from);
         let mut y = middle.y - 0.5 * LINE_HEIGHT * (count - 1.0) + 0.36 * SIZE;
         for line in lines {
-            let text = Text::new(line, DVec2::new(middle.x, y), SIZE, figure.palette.quiet);
+            let text = Text::new(&line, DVec2::new(middle.x, y), SIZE, figure.palette.quiet);
             items.push(inside(figure, text.anchored(Anchor::Middle).in_font(Font::Oblique).classed("note")).into());
             y += LINE_HEIGHT;
         }

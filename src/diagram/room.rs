@@ -23,6 +23,8 @@ pub(super) struct Room {
     lines: Vec<[DVec2; 2]>,
     rays: Vec<[DVec2; 2]>,
     taken: Vec<Rect>,
+    /// Points that have values about them.
+    pub(super) anchors: Vec<DVec2>,
 }
 
 impl Room {
@@ -34,12 +36,19 @@ impl Room {
         lines.extend_from_slice(&rays);
         let notes = notes::notes(figure).into_iter();
         let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };
-        Self { area: figure.frame.area, lines, rays, taken: notes.filter_map(bounds).collect() }
+        Self { area: figure.frame.area, lines, rays, taken: notes.filter_map(bounds).collect(), anchors: Vec::new() }
     }
 
     /// No more words here.
     pub(super) fn take(&mut self, bounds: Rect) {
         self.taken.push(bounds.grown(APART));
+    }
+
+    /// The same where a word stands, if the item is one.
+    pub(super) fn take_words(&mut self, item: &Item) {
+        if let Item::Text(text) = item {
+            self.take(text.bounds());
+        }
     }
 
     /// How many words have their places.
@@ -60,6 +69,12 @@ impl Room {
     /// A mark more to keep off, if it is a straight line.
     pub(super) fn keep_off_item(&mut self, item: &Item) {
         self.lines.extend(straight(item));
+    }
+
+    /// Whether a place is nearer to another point with values than to `own`.
+    pub(super) fn is_nearer_to_another(&self, place: &Rect, own: DVec2) -> bool {
+        let apart = |p: DVec2| p.clamp(place.min, place.max).distance(p);
+        self.anchors.iter().any(|other| apart(*other) < apart(own) - 1.0)
     }
 
     /// How many rays cross the way between two points.

@@ -11,7 +11,7 @@ const BEYOND: f64 = 5.0;
 /// Cosines below one by less belong to parallel rays.
 const PARALLEL: f64 = 1e-12;
 
-/// A dot at every point that several rays start from, and a thin bar across the start of parallel ones; objects are arrows.
+/// A dot at every point that rays start from, and a thin bar across the start of parallel ones; objects are arrows.
 pub(super) fn sources(figure: &Figure<'_>) -> Vec<Item> {
     let sources = figure.system.sources().iter().filter(|source| source.object.is_none());
     sources.filter_map(|source| dot(figure, &source.starts).or_else(|| bar(figure, &source.starts))).collect()
@@ -20,7 +20,7 @@ pub(super) fn sources(figure: &Figure<'_>) -> Vec<Item> {
 fn dot(figure: &Figure<'_>, starts: &[RayStart]) -> Option<Item> {
     let [first, rest @ ..] = starts else { return None };
     let at = place(figure, first);
-    let is_point = !rest.is_empty() && rest.iter().all(|start| start.from == first.from);
+    let is_point = rest.iter().all(|start| start.from == first.from);
     let dot = || Shape::filled(Path::circle(at, RADIUS), Fill::solid(figure.palette.ink), "source").into();
     (is_point && figure.frame.area.contains(at)).then(dot)
 }

@@ -129,9 +129,10 @@ impl<'a> Styles<'a> {
         if self.scene.diagram.theme != Theme::Print {
             return 0;
         }
-        let kind = if few(self.own_colors.len()) {
-            let own = self.scene.sources.get(branch.ray.source).map(|source| source.color);
-            self.own_colors.iter().position(|color| Some(*color) == own)
+        let own = self.scene.sources.get(branch.ray.source).and_then(|source| source.color);
+        let has_kinds = few(self.own_colors.len());
+        let kind = if has_kinds && (own.is_some() || self.scene.diagram.color != RayColor::Via) {
+            self.own_colors.iter().position(|color| *color == own)
         } else if self.scene.diagram.color == RayColor::Via {
             Some(via_dash(branch.segment.via))
         } else if branch.blend == Some(Blend::Whole) {
@@ -164,10 +165,14 @@ fn few(kinds: usize) -> bool {
     (2..=PRINT_DASHES.len()).contains(&kinds)
 }
 
-/// In print reflected light is told from transmitted by its gray, totally reflected light, which is as dark as the
-/// source's, by dashes.
+/// In print dashes tell the ways of light apart; gray tells its power.
 fn via_dash(via: Via) -> usize {
-    if via == Via::TotalInternalReflection { 3 } else { 0 }
+    match via {
+        Via::Source => 0,
+        Via::Transmission => 4,
+        Via::Reflection => 1,
+        Via::TotalInternalReflection => 3,
+    }
 }
 
 fn number(count: usize) -> f64 {

@@ -16,6 +16,8 @@ use crate::trace::{Ending, RayTree, Segment, TracedRay};
 const STRONG: f64 = 0.2;
 /// A crossing farther away than this many sizes of the scene is not worth a smaller figure.
 const REACH: f64 = 4.0;
+/// Free space around hits, so that the frame does not cut their angle arcs, pixels.
+const ARC: f64 = 34.0;
 /// Free space around everything, as a share of the larger side.
 const MARGIN: f64 = 0.04;
 
@@ -36,7 +38,24 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, opti
         .chain(unlit)
         .chain(optics.points(&things))
         .fold(things, Extent::with);
-    tails(&escaped, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN)
+    let all = tails(&escaped, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN);
+    if scene.diagram.angles { with_room_for_arcs(all, tree, scene.diagram.faintest, area) } else { all }
+}
+
+/// The extent with room around the hits for their angle arcs.
+fn with_room_for_arcs(all: Extent, tree: &RayTree, faintest: f64, area: &Rect) -> Extent {
+    let scale = (area.size() / all.size()).min_element();
+    let turns = |segment: &Segment| segment.hit.is_some_and(|hit| hit.n_t.is_some() || hit.reflectance.total() > 0.0);
+    let segments =
+        tree.rays.iter().flat_map(|ray| ray.segments.iter().filter(move |segment| share(ray, segment) >= faintest));
+    let hits = Extent::of(segments.filter(|segment| turns(segment)).filter_map(|segment| segment.to));
+    match hits {
+        Some(hits) if scale > 0.0 => {
+            let by = DVec2::splat(ARC / scale);
+            all.with(hits.min - by).with(hits.max + by)
+        }
+        _ => all,
+    }
 }
 
 /// Segments with their rays and shares of the source ray.

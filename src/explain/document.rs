@@ -164,7 +164,7 @@ impl<'a> Writer<'a> {
         let mut given = Vec::new();
         for (letter, name) in letters.given() {
             // What the last hit led to is no gift of the next.
-            if letter.plain == "V" && self.is_worksheet() && number > 1 {
+            if matches!(letter.plain, "V" | "w_s" | "w_p") && self.is_worksheet() && number > 1 {
                 continue;
             }
             given.push(words(if given.is_empty() { "Given: " } else { ", " }));
@@ -178,7 +178,8 @@ impl<'a> Writer<'a> {
     /// What else is given at a hit.
     fn given_in_words(self, number: usize, step: &Step) -> String {
         let before = number.checked_sub(1).filter(|k| *k > 0 && self.is_worksheet());
-        let direction = before.map_or(String::new(), |k| format!(" V is the direction found at hit {k}."));
+        let direction = before
+            .map_or(String::new(), |k| format!(" V is the direction found at hit {k}, w_s and w_p are as found last."));
         let shares = match (step.action, self.explanation.secondary_rays) {
             (Action::Split { reflect, transmit }, _) => {
                 format!(" The beam splitter reflects {reflect} and transmits {transmit}.")
@@ -206,7 +207,9 @@ impl<'a> Writer<'a> {
     fn end(self) -> [Block; 2] {
         let blank = blank(Notation::Plain);
         let how = if self.is_worksheet() {
-            format!("How does the path end? {blank} By how much is the light deviated in all? {blank}")
+            format!(
+                "How does the path end? {blank} By how much is the light deviated from its first direction? {blank}"
+            )
         } else {
             self.ending()
         };
@@ -216,7 +219,11 @@ impl<'a> Writer<'a> {
     fn ending(self) -> String {
         let Explanation { end, children, steps, .. } = self.explanation;
         let how = match end.ending {
-            Ending::Interface => format!("ends at the last hit, where {} begin", children.join(" and ")),
+            Ending::Interface => format!(
+                "ends at the last hit, where {} {}",
+                children.join(" and "),
+                if children.len() == 1 { "begins" } else { "begin" }
+            ),
             Ending::Absorbed => "is absorbed at the last hit".into(),
             Ending::Detected => "lands on the screen".into(),
             Ending::Escaped => "leaves the scene".into(),
@@ -227,7 +234,7 @@ impl<'a> Writer<'a> {
         let direction = Value::vector(end.direction).write(Notation::Plain);
         let deviation = Value::number(self.explanation.deviation_degrees(end.direction)).write(Notation::Plain);
         let carrying = self.carrying(steps.len(), end);
-        format!("{carrying}, {how}. Its direction is {direction}, a deviation of {deviation}° in all.")
+        format!("{carrying}, {how}. Its direction is {direction}, a deviation of {deviation}° from that at the source.")
     }
 }
 

@@ -39,6 +39,9 @@ impl Line {
     }
 }
 
+/// A smaller share of light is not divided by: few of its printed digits may be left.
+const LEAST_SHARE: f64 = 1e-5;
+
 /// The letters of a hit with their values.
 pub(super) struct Letters<'a> {
     explanation: &'a Explanation,
@@ -266,6 +269,27 @@ impl<'a> Letters<'a> {
         }
         let local = constant("1").less(&k_r).less(&k_t);
         lines.push(Line::new(&number("c_local", r"c_{\text{local}}", c_local), local));
+        lines.extend(self.polarization_behind().into_iter().flatten());
+    }
+
+    /// The shares of the polarizations in the light that goes on, where they change and its own share is no rounding.
+    fn polarization_behind(&self) -> Option<[Line; 2]> {
+        let next = self.step.next.filter(|_| self.by_fresnel() && self.total().is_none())?;
+        let (reflectance, [k_r, k_t, _]) = (self.step.hit.reflectance, self.step.shares());
+        let is_transmitted = self.step.next_is_transmitted();
+        let (share, share_letter) =
+            if is_transmitted { (k_t, number("k_t", "k_t", k_t)) } else { (k_r, number("k_r", "k_r", k_r)) };
+        let line = |new: Letter, w: &Letter, r: Letter| {
+            let part = if is_transmitted { Self::f(w).times(constant("1").less(&r)) } else { Self::f(w).times(&r) };
+            Line::new(&new, part.over(&share_letter))
+        };
+        let [s, p] = [next.power.s, next.power.p].map(|part| part / next.power.total());
+        (share > LEAST_SHARE).then(|| {
+            [
+                line(number("w_s′", "w_s'", s), &self.w_s, number("R_s", "R_s", reflectance.s)),
+                line(number("w_p′", "w_p'", p), &self.w_p, number("R_p", "R_p", reflectance.p)),
+            ]
+        })
     }
 
     fn why_shares(&self) -> &'static str {

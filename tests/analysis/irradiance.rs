@@ -131,7 +131,31 @@ fn light_over_the_seam_of_a_closed_screen_stays_there() {
     let length = screens[0].length;
     close(length, 20.0 * std::f64::consts::PI, 1e-12, "all round");
     let lit = screens[0].curves[0].values.iter().filter(|value| **value > 0.0).count();
-    assert!((57..=70).contains(&lit), "{lit} parts are lit of 240, four fans of 20° and half a way more on each side");
+    assert!((57..=70).contains(&lit), "{lit} parts are lit of 241, four fans of 20° and half a way more on each side");
+}
+
+#[test]
+fn a_lamp_in_a_ring_lights_it_evenly_over_the_seam() {
+    for rays in [36, 360] {
+        let (screens, detected) =
+            screens("(shape: Disk(20), surface: Screen)", &format!("(light: Point(at: (0, 0), rays: {rays}))"));
+        close(power(&screens[0]), detected, 1e-12, "all of it");
+        for value in &screens[0].curves[0].values {
+            close(*value, 1.0 / (40.0 * std::f64::consts::PI), 1e-12, "everywhere alike");
+        }
+    }
+}
+
+#[test]
+fn light_beyond_a_screens_ends_raises_no_spike_there() {
+    let lamp = "(light: Point(at: (0, 0), rays: 720))";
+    let (screens, detected) = screens("(shape: Flat(from: (60, -50), to: (60, 50)), surface: Screen)", lamp);
+    close(power(&screens[0]), detected, 1e-12, "all that landed");
+    for (place, y) in [(0.5, -49.5_f64), (50.0, 0.0), (99.5, 49.5)] {
+        let expected = 60.0 / (60.0 * 60.0 + y * y) / (2.0 * std::f64::consts::PI);
+        let value = value(&screens[0], place);
+        assert!((value / expected - 1.0).abs() < 0.03, "at {y}: {value}, not {expected}");
+    }
 }
 
 #[test]

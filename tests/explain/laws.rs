@@ -180,7 +180,8 @@ impl Check {
         self.demand(told.meets(power), || format!("at the end {told:?} of the power, not {power:?}"));
         let along = crate::page::printed(crate::page::between(end, "Its direction is ", ", a deviation"), None);
         self.demand(along.middle() == direction.middle(), || format!("at the end along {along:?}, not {direction:?}"));
-        let deviation = crate::page::printed(crate::page::between(end, "a deviation of ", "° in all"), None).number();
+        let deviation =
+            crate::page::printed(crate::page::between(end, "a deviation of ", "° from that"), None).number();
         let expected = self.known["V0"].angle_to(direction).number();
         let turned = [-360.0, 0.0, 360.0].map(|turn| Interval::around(deviation.middle() + turn, deviation.width()));
         self.demand(turned.iter().any(|turned| turned.meets(expected)), || {
