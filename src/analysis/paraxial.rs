@@ -41,6 +41,8 @@ pub struct Paraxial {
 /// a boundary does not stand upright on the axis, or the axis passes a thin lens beside its center; light between two mirrors
 /// never leaves. Facets are flat: a faceted lens has no power where the axis meets a facet, and no upright boundary where it
 /// meets a corner.
+///
+/// A wavelength outside of a medium's range extrapolates its formula; scenes refuse such wavelengths, this does not.
 #[must_use]
 pub fn paraxial(system: &OpticalSystem, axis: Axis, wavelength: Wavelength) -> Option<Paraxial> {
     Walk::new(system, Line::new(system, axis, |_| true)?, wavelength).cardinal_points()

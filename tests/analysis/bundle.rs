@@ -176,3 +176,28 @@ fn a_path_that_some_rays_do_not_share_has_no_image() {
     assert!(images(&scene(30.0), 0).is_empty());
     assert!(images(&RayTree::default(), 0).is_empty());
 }
+
+#[test]
+fn images_go_on_behind_a_total_reflection() {
+    let tree = tree(
+        "bodies: [(shape: RightAnglePrism(40), medium: Index(1.5))],
+        sources: [(light: Fan(from: (-30, 10), direction: Angle(0), spread: 0.002, rays: 3))]",
+    );
+    let found = images(&tree, 0);
+    let paths: Vec<&str> = found.iter().map(|image| image.path.as_str()).collect();
+    assert_eq!(paths, ["t", "ti", "tit"]);
+    // 30 mm of air look like 45 in the glass, mirrored at the face x + y = 40; the way out of 10 mm of glass gives a third back.
+    let [inside, mirrored, out] = [0, 1, 2].map(|place| found[place].focus.at);
+    for (point, expected) in [(inside, (-45.0, 10.0)), (mirrored, (30.0, 85.0)), (out, (30.0, 85.0 / 1.5))] {
+        assert!((point - DVec2::from(expected)).length() < 1e-3, "{point} is not {expected:?}");
+    }
+    assert!(found.iter().all(|image| image.focus.kind == ImageKind::Virtual));
+}
+
+#[test]
+fn a_bundle_all_round_has_its_first_rays_direction() {
+    let tree = tree("sources: [(light: Point(at: (3, 4), rays: 8))]");
+    let bundle = Bundle::of(&tree, 0, "");
+    assert_eq!(bundle.direction(), Some(DVec2::X));
+    assert!((bundle.focus().unwrap().at - DVec2::new(3.0, 4.0)).length() < 1e-12);
+}

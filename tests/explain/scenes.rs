@@ -246,3 +246,23 @@ fn spoiled(line: &str) -> Option<String> {
     let other = (digit.parse::<u8>().ok()? + 5) % 10;
     Some(format!("  {before} = {}{other}{}", &result[..at], &result[at + 1..]))
 }
+
+/// What a worksheet gives in words is what the scene says.
+#[test]
+fn given_shares_are_those_of_the_scene() {
+    let body = "(shape: Rectangle(20, 80), rotate: 30, medium: Index(1.5))";
+    let splitter = "(shape: Flat(from: (0, -40), to: (9, 40)), surface: BeamSplitter(reflect: 0.3, transmit: 0.6))";
+    let source = "sources: [(light: Ray(from: (-30, 0), direction: Angle(5)))]";
+    for (fields, words) in [
+        (format!("bodies: [{splitter}], {source}"), "The beam splitter reflects 0.3 and transmits 0.6."),
+        (
+            format!("bodies: [{body}], {source}, trace: (secondary_rays: Fixed(kr: 0.2, kt: 0.7))"),
+            "The scene sets k_r to 0.2 and k_t to 0.7 where light is transmitted.",
+        ),
+    ] {
+        for part in [Part::Worked, Part::Worksheet] {
+            let text = text(&explanations(&scene(&fields)), part);
+            assert!(text.contains(words), "{text}");
+        }
+    }
+}
