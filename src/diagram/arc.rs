@@ -15,12 +15,10 @@ const ASIDE: [f64; 16] =
     [0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 80.0, -80.0, 110.0, -110.0, 150.0, -150.0, 180.0];
 /// Cost of a ray between an arc and its value, which would seem to be another's.
 const BEYOND: f64 = 4.0;
-/// Cost of a value on the other side of the point than its arc, where that side has values of its own.
-const BEHIND: f64 = 3.0;
 /// Cost of a value that is nearer to another point with values.
 const STRANGE: f64 = 2.0;
 /// How far outside of the arc, pixels.
-const OUTSIDE: [f64; 5] = [4.0, 9.0, 15.0, 22.0, 30.0];
+const OUTSIDE: [f64; 6] = [4.0, 9.0, 15.0, 22.0, 30.0, 40.0];
 
 /// The smaller arc about a point between two unit directions of the figure.
 pub(super) fn arc(at: DVec2, radius: f64, from: DVec2, to: DVec2) -> Path {
@@ -71,15 +69,16 @@ impl Around {
     /// The same for words whose rectangle about their middle is known: where that is.
     pub(super) fn middle(&self, about: Rect, room: &mut Room) -> Option<DVec2> {
         let mut places = Vec::new();
-        for (rank, aside) in (0..).map(f64::from).zip(ASIDE) {
+        // Where the other side has values of its own, none of this side stands there.
+        let reach = if self.shares { 90.0 } else { 180.0 };
+        for (rank, aside) in (0..).map(f64::from).zip(ASIDE).filter(|(_, aside)| aside.abs() <= reach) {
             for (step, outside) in (0..).map(f64::from).zip(OUTSIDE) {
                 let direction = Turn::degrees(aside).apply(self.toward);
                 let half = (0.5 * about.size() * direction).abs().element_sum();
                 let middle = self.at + (self.radius + outside + half) * direction;
                 let beyond = f64::from(room.rays_between(self.at + (self.radius + 2.0) * direction, middle));
-                let behind = if self.shares && aside.abs() > 90.0 { BEHIND } else { 0.0 };
                 let strange = if room.is_nearer_to_another(&about.moved(middle), self.at) { STRANGE } else { 0.0 };
-                places.push((0.4 * rank + 0.6 * step + BEYOND * beyond + behind + strange, middle));
+                places.push((0.4 * rank + 0.6 * step + BEYOND * beyond + strange, middle));
             }
         }
         let (_, middle) = room.best_for(about, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;
