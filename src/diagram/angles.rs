@@ -57,14 +57,15 @@ pub(super) fn angles(figure: &Figure<'_>, hits: &[MarkedHit<'_>], room: &mut Roo
     }
     unlabelled.sort_unstable();
     let mut below = Vec::new();
-    for (number, place) in (1..).zip(unlabelled) {
+    for (number, place) in (1..).zip(unlabelled.iter().copied()) {
         let drawer = Drawer::new(figure, &hits[place]);
         groups[place].arriving.extend(drawer.number(number, room));
         below.push(drawer.line_below(number));
     }
     if hits.len() <= FEW {
-        for (marks, hit) in groups.iter_mut().zip(hits) {
-            marks.leaving.extend(Drawer::new(figure, hit).shares(room).into_iter().map(Item::from));
+        for place in (0..hits.len()).filter(|place| !unlabelled.contains(place)) {
+            let shares = Drawer::new(figure, &hits[place]).shares(room);
+            groups[place].leaving.extend(shares.into_iter().map(Item::from));
         }
     }
     (hits.iter().zip(groups).flat_map(|(hit, marks)| marks.grouped(hit)).collect(), below)
