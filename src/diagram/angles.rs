@@ -182,15 +182,13 @@ impl<'a> Drawer<'a> {
     /// What share of the light that arrives is reflected and what goes through, beside the branches that leave where there is
     /// room.
     fn shares(&self, room: &mut Room) -> Vec<Text> {
-        let MarkedHit { reflected, transmitted, shares: [r, t], .. } = *self.hit;
-        let all = [("R", r, reflected), ("T", t, transmitted)].into_iter();
-        let all = all.filter(|(_, share, _)| *share < 1.0);
-        all.filter_map(|(letter, share, along)| self.share(letter, share, along?, room)).collect()
+        let MarkedHit { reflected, transmitted, shares, .. } = *self.hit;
+        let all = shares.into_iter().zip([reflected, transmitted]).filter(|(share, _)| *share < 1.0);
+        all.filter_map(|(share, along)| self.share(share, along?, room)).collect()
     }
 
-    fn share(&self, letter: &str, share: f64, along: DVec2, room: &mut Room) -> Option<Text> {
-        let words = format!("{letter}\u{202f}=\u{202f}{:.1}\u{202f}%", 100.0 * share);
-        let text = self.text(&words, self.figure.palette.quiet);
+    fn share(&self, share: f64, along: DVec2, room: &mut Room) -> Option<Text> {
+        let text = self.text(&format!("{:.1}\u{202f}%", 100.0 * share), self.figure.palette.quiet);
         let half = 0.5 * text.bounds().size();
         let off = |across: DVec2| across * (SHARE_APART + (half * across).abs().element_sum());
         let place = |(step, distance): (f64, f64)| {
