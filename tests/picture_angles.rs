@@ -272,3 +272,24 @@ fn the_legend_tells_what_the_figure_needs() {
     let ways = ["source", "transmission", "reflection", "100 %", "10 % of a source's ray"];
     assert_eq!(legend(&scene("Line(589.3)", "trace: (max_depth: 1), diagram: (color: Via)")), ways);
 }
+
+#[test]
+fn in_a_small_figure_the_legend_gives_way() {
+    let scene = |size: &str| {
+        let bodies: String =
+            (0..4).map(|k| format!("(shape: Rectangle(3, 60), at: ({}, 0), medium: Index(1.5)),", 5 * k)).collect();
+        format!(
+            "(bodies: [{bodies}], sources: [(light: Ray(from: (-30, 12), direction: Angle(-30)))],
+            diagram: (size: {size}, faintest: 0.02))"
+        )
+    };
+    let lines = |size: &str| {
+        let drawing = figure(&run_text(&scene(size)));
+        let key =
+            groups(&drawing.items, "key").into_iter().flat_map(|key| texts(&key.items)).cloned().collect::<Vec<_>>();
+        (key.iter().filter(|text| text.class == "legend").count(), key.len())
+    };
+    assert!(lines("(960, 540)").0 > 1);
+    let (legend, all) = lines("(400, 260)");
+    assert!(legend == 0 && all > 3, "{legend} of {all}");
+}

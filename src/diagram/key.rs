@@ -22,6 +22,11 @@ pub(super) struct Entry {
 }
 
 impl Entry {
+    /// Whether it is of the legend, not a value without room in the figure.
+    pub(super) fn is_legend(&self) -> bool {
+        self.text.class == "legend"
+    }
+
     fn indent(&self) -> f64 {
         if self.sample.is_some() { SAMPLE.iter().sum() } else { 0.0 }
     }

@@ -65,6 +65,9 @@ pub use deviations::problems;
 pub use margins::Margins;
 pub use statistics::Statistics;
 
+/// Where the lines below take more than this share of the figure's height, the legend gives way.
+const MOST_BELOW: f64 = 0.25;
+
 /// Everything that the marks look at.
 struct Figure<'a> {
     scene: &'a Scene,
@@ -128,8 +131,12 @@ pub(crate) fn laid_out(
     let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }.max(least.foot), is_expected);
     let (mut items, mut statistics) = loop {
         let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot, strip), everywhere);
-        let (layers, below) = layers::layers(&mut figure, statistics.segments_below_faintest);
-        let taken = key::height(&below, figure.frame.area.size().x).max(least.foot);
+        let (layers, mut below) = layers::layers(&mut figure, statistics.segments_below_faintest);
+        let width = figure.frame.area.size().x;
+        if key::height(&below, width) > MOST_BELOW * f64::from(scene.diagram.size[1]) {
+            below.retain(|entry| !entry.is_legend());
+        }
+        let taken = key::height(&below, width).max(least.foot);
         if taken <= foot && !(is_guess && taken < foot) {
             let mut items = figure.with_key(layers, &below);
             items.extend(irradiance::curves(&figure, &screens));
