@@ -120,30 +120,9 @@ pub(crate) fn laid_out(
     everywhere: bool,
 ) -> (Drawing, Statistics, Margins) {
     let palette = Palette::of(scene.diagram.theme);
-    let optics = Optics::new(scene, system, tree);
     let (header, top) = header::header(scene, &palette);
     let top = top.max(least.top);
-    let screens = irradiance::screens(scene, system, tree);
-    let strip = irradiance::width(scene, &screens);
-    // What stands below the scene takes room from it, so that more of it may have to stand there.
-    // A legend of one line is expected where it will be needed, so that most figures are laid out once.
-    let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
-    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }.max(least.foot), is_expected);
-    let (mut items, mut statistics) = loop {
-        let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot, strip), everywhere);
-        let (layers, mut below) = layers::layers(&mut figure, statistics.segments_below_faintest);
-        let width = figure.frame.area.size().x;
-        if key::height(&below, width) > MOST_BELOW * f64::from(scene.diagram.size[1]) {
-            below.retain(|entry| !entry.is_legend());
-        }
-        let taken = key::height(&below, width).max(least.foot);
-        if taken <= foot && !(is_guess && taken < foot) {
-            let mut items = figure.with_key(layers, &below);
-            items.extend(irradiance::curves(&figure, &screens));
-            break (items, statistics);
-        }
-        (foot, is_guess) = (taken, false);
-    };
+    let (mut items, mut statistics, foot) = fitted((scene, system, tree), top, least.foot, everywhere);
     items.push(Group::layer("header", header).into());
     statistics.count(&items);
     let drawing = Drawing {
@@ -154,6 +133,37 @@ pub(crate) fn laid_out(
         items,
     };
     (drawing, statistics, Margins { top, foot })
+}
+
+/// All below the header, and the height that the lines below the scene take: it takes room from the scene, so that more of
+/// it may have to stand there.
+fn fitted(
+    (scene, system, tree): (&Scene, &OpticalSystem, &RayTree),
+    top: f64,
+    least_foot: f64,
+    everywhere: bool,
+) -> (Vec<Item>, Statistics, f64) {
+    let optics = Optics::new(scene, system, tree);
+    let screens = irradiance::screens(scene, system, tree);
+    let strip = irradiance::width(scene, &screens);
+    // A legend of one line is expected where it will be needed, so that most figures are laid out once.
+    let is_expected = scene.diagram.legend && legend::has_weak_branches(scene, tree);
+    let (mut foot, mut is_guess) = (if is_expected { key::LINE } else { 0.0 }.max(least_foot), is_expected);
+    loop {
+        let (mut figure, statistics) = seen((scene, system, tree), &optics, area(scene, top, foot, strip), everywhere);
+        let (layers, mut below) = layers::layers(&mut figure, statistics.segments_below_faintest);
+        let width = figure.frame.area.size().x;
+        if key::height(&below, width) > MOST_BELOW * f64::from(scene.diagram.size[1]) {
+            below.retain(|entry| !entry.is_legend());
+        }
+        let taken = key::height(&below, width).max(least_foot);
+        if taken <= foot && !(is_guess && taken < foot) {
+            let mut items = figure.with_key(layers, &below);
+            items.extend(irradiance::curves(&figure, &screens));
+            return (items, statistics, foot);
+        }
+        (foot, is_guess) = (taken, false);
+    }
 }
 
 /// What is seen of the scene in an area, before it is drawn.
