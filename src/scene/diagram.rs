@@ -28,7 +28,7 @@ pub struct DiagramSettings {
     /// Pairs of branches by their addresses, `SOURCE.RAY[@NM]:PATH`, whose deviation δ is marked: the angle from the first
     /// one's direction to the second's.
     pub deviations: Vec<[String; 2]>,
-    /// Half a circle of degrees on the light's side and half a one behind, at the hits whose angles are marked.
+    /// Circles of degrees about the hits whose angles are marked.
     pub protractor: bool,
     /// Optical path between the marks of equal optical path, mm; no marks if `None`.
     pub wavefronts: Option<f64>,
