@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use crate::analysis::deviation_degrees;
 use crate::diagram::arc::{Around, arc, is_right, square, stroked};
 use crate::diagram::branches::{Branch, generation};
 use crate::diagram::generations::Aged;
@@ -9,7 +10,7 @@ use crate::diagram::room::Room;
 use crate::diagram::{Figure, key};
 use crate::drawing::{Anchor, Group, Item, Path, Shape, Text};
 use crate::explain::find;
-use crate::numerics::{Turn, atan2_degrees, cross};
+use crate::numerics::{Turn, cross};
 use crate::scene::{Problem, Scene};
 use crate::trace::{RayTree, Segment, SegmentId, TracedRay};
 
@@ -104,8 +105,7 @@ impl<'a> Deviation<'a> {
         let (a, b) = (a?, b?);
         let directions = [a, b].map(|segment| figure.frame.turn(segment.direction).normalize_or_zero());
         let ends = [a.to.unwrap_or(a.from), b.from].map(|p| figure.frame.place(p));
-        let sine = cross(a.direction, b.direction);
-        let degrees = atan2_degrees(sine.abs(), a.direction.dot(b.direction));
+        let degrees = deviation_degrees(a.direction, b.direction).abs();
         let at = meeting(figure, ends, directions).unwrap_or(ends[1]);
         let is_seen = figure.frame.area.contains(at);
         Some(Self { name, generation, first: (first.0, a), ends, at, directions, degrees, is_seen })
