@@ -343,3 +343,56 @@ fn a_disk_smaller_than_the_rounding_of_its_place_is_drawn_somehow() {
         }
     }
 }
+
+#[test]
+fn sources_have_symbols_where_their_rays_start() {
+    let source = |light: &str| {
+        let drawing = figure(&format!("(sources: [(light: {light})], diagram: (view: Box((-40, -20), (40, 20))))"));
+        let layer = drawing.items.iter().find_map(|item| match item {
+            snellius::drawing::Item::Group(group) if group.class == "sources" => Some(group.items.clone()),
+            _ => None,
+        });
+        let shapes = layer.unwrap_or_default();
+        let filled = |item: &snellius::drawing::Item| match item {
+            snellius::drawing::Item::Shape(shape) => shape.fill.is_some(),
+            _ => panic!("{item:?}"),
+        };
+        shapes.iter().map(filled).collect::<Vec<_>>()
+    };
+    let (dot, bar) = (vec![true], vec![false]);
+    assert_eq!(source("Ray(from: (0, 0), direction: Angle(10))"), dot);
+    assert_eq!(source("Fan(from: (0, 0), direction: Angle(10), spread: 20, rays: 3)"), dot);
+    assert_eq!(source("Beam(center: (0, 0), direction: Angle(10), width: 9, rays: 3)"), bar);
+    assert_eq!(source("Ray(from: (-90, 0), direction: Angle(0))"), [false; 0], "not in view");
+}
+
+/// Light that leaves a tank through two of its faces has no common image.
+#[test]
+fn rays_through_different_faces_are_not_drawn_back_to_one_point() {
+    let lines = |light: &str| {
+        let water = "(shape: Rectangle(40, 40), medium: Index(1.333))";
+        let text = format!(
+            "(bodies: [{water}], sources: [(light: {light})], trace: (secondary_rays: TransmittedOnly),
+            diagram: (extensions: true))"
+        );
+        svg(&text).matches("class=\"extension\"").count()
+    };
+    let through_the_top = lines("Fan(from: (0, 10), direction: Angle(90), spread: 20, rays: 2)");
+    assert_eq!(through_the_top, 2, "both to the image");
+    // One ray through the top, one through the side, each less than critical there.
+    let run = run_text(
+        "(bodies: [(shape: Rectangle(40, 40), medium: Index(1.333))], trace: (secondary_rays: TransmittedOnly),
+        sources: [(light: Fan(from: (10, 10), direction: Angle(45), spread: 30, rays: 2))], diagram: (extensions: true))",
+    );
+    let hits: Vec<_> = run.trace.tree.rays.iter().map(|ray| ray.segments[0].hit.unwrap().normal).collect();
+    assert!(hits[0].dot(hits[1]).abs() < 1e-9, "two faces");
+    let meeting: Vec<String> = {
+        let document = render::svg(&draw(&run.scene, &run.system, &run.trace.tree));
+        let document = Document::parse(&document).unwrap();
+        let is_it = |node: &Node<'_, '_>| node.attribute("class") == Some("extension");
+        document.descendants().filter(is_it).map(|node| node.attribute("d").unwrap().to_owned()).collect()
+    };
+    let ends: Vec<&str> = meeting.iter().map(|d| d.rsplit('L').next().unwrap()).collect();
+    let distinct: std::collections::BTreeSet<_> = ends.iter().collect();
+    assert_eq!(distinct.len(), ends.len(), "no common end: {meeting:?}");
+}

@@ -182,6 +182,10 @@ fn color_may_tell_how_light_came_about() {
         let colors: BTreeSet<_> = ["0.0:t", "0.0:r", "0.0:ti"].map(color).into();
         assert!(colors.len() == 3 && color("0.0:t") == color("0.0:tit"), "{theme}: {colors:?}");
     }
+    let print = rays(&prism("", "color: Via, theme: Print"));
+    let dashes: BTreeSet<_> =
+        ["0.0:", "0.0:t", "0.0:r", "0.0:ti"].map(|address| print[address].get("stroke-dasharray").cloned()).into();
+    assert_eq!(dashes.len(), 4, "told apart without color and gray: {dashes:?}");
     let rays = rays(&prism("", "color: Via"));
     let color = |address: &str| rays[address]["stroke"].as_str();
     assert_eq!(["0.0:", "0.0:t", "0.0:r", "0.0:ti"].map(color), ["#c8202f", "#1565a8", "#a84b00", "#8a1c7c"]);

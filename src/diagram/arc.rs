@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::diagram::room::{CROSSING, Room, centered};
+use crate::diagram::room::{CROSSING, Room, centered, cross_each_other};
 use crate::drawing::{Cap, Color, Item, Path, Rect, Shape, Stroke, Text};
 use crate::numerics::Turn;
 
@@ -69,6 +69,8 @@ impl Around {
     /// The same for words whose rectangle about their middle is known: where that is.
     pub(super) fn middle(&self, about: Rect, room: &mut Room) -> Option<DVec2> {
         let mut places = Vec::new();
+        let farthest = self.radius + OUTSIDE.into_iter().fold(0.0, f64::max) + about.size().length();
+        let rays = room.rays_near(self.at, farthest);
         // Where the other side has values of its own, none of this side stands there.
         let reach = if self.shares { 90.0 } else { 180.0 };
         for (rank, aside) in (0..).map(f64::from).zip(ASIDE).filter(|(_, aside)| aside.abs() <= reach) {
@@ -76,9 +78,10 @@ impl Around {
                 let direction = Turn::degrees(aside).apply(self.toward);
                 let half = (0.5 * about.size() * direction).abs().element_sum();
                 let middle = self.at + (self.radius + outside + half) * direction;
-                let beyond = f64::from(room.rays_between(self.at + (self.radius + 2.0) * direction, middle));
+                let way = [self.at + (self.radius + 2.0) * direction, middle];
+                let beyond: f64 = rays.iter().filter(|ray| cross_each_other(**ray, way)).map(|_| BEYOND).sum();
                 let strange = if room.is_nearer_to_another(&about.moved(middle), self.at) { STRANGE } else { 0.0 };
-                places.push((0.4 * rank + 0.6 * step + BEYOND * beyond + strange, middle));
+                places.push((0.4 * rank + 0.6 * step + beyond + strange, middle));
             }
         }
         let (_, middle) = room.best_for(about, &places, OFF_LINES).filter(|(cost, _)| *cost < CROSSING)?;

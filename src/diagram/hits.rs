@@ -147,7 +147,8 @@ pub(super) fn is_imaging(figure: &Figure<'_>, branch: &Branch<'_>) -> bool {
     axis.is_some_and(|axis| axis.imaging != Imaging::FlatMirror)
 }
 
-fn is_thin_lens(figure: &Figure<'_>, hit: &Hit) -> bool {
+/// Whether a hit is at an ideal lens.
+pub(super) fn is_thin_lens(figure: &Figure<'_>, hit: &Hit) -> bool {
     let substance = figure.scene.bodies.get(hit.body).map(|body| &body.substance);
     matches!(substance, Some(Substance::Surface(Surface::ThinLens { .. })))
 }

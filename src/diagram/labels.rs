@@ -12,10 +12,8 @@ const LINE_HEIGHT: f64 = 15.0;
 const GAP: f64 = 11.0;
 /// A place that costs less needs no other.
 const GOOD: f64 = 8.0;
-/// Smaller indices belong to gases.
+/// Smaller indices belong to gases and to empty space, which need no words as surroundings.
 const GAS: f64 = 1.01;
-/// Surroundings of a smaller index are empty space or air and need no words.
-const LEAST_SURROUNDINGS: f64 = 1.01;
 /// Free space between the words for the surroundings and others, pixels.
 const APART: f64 = 10.0;
 /// Free space between a label and lines, pixels.
@@ -56,7 +54,7 @@ fn surroundings(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room) -> 
     let [line] = figure.system.wavelengths()[..] else { return None };
     let index = figure.system.index(figure.system.surroundings(), line);
     let is_told = figure.scene.notes.iter().any(|note| note.text.contains("n ="));
-    if index < LEAST_SURROUNDINGS || is_told {
+    if index < GAS || is_told {
         return None;
     }
     let words = match &figure.scene.surroundings {

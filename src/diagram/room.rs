@@ -1,5 +1,7 @@
 //! Where words may stand.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use crate::diagram::frame::clip;
@@ -19,9 +21,9 @@ const APART: f64 = 3.0;
 /// What is free and what is not.
 pub(super) struct Room {
     pub(super) area: Rect,
-    /// All lines that words keep off, and the rays among them.
+    /// All lines that words keep off, and which of them are rays.
     lines: Vec<[DVec2; 2]>,
-    rays: Vec<[DVec2; 2]>,
+    rays: Range<usize>,
     taken: Vec<Rect>,
     /// Points that have values about them.
     pub(super) anchors: Vec<DVec2>,
@@ -32,8 +34,9 @@ impl Room {
     /// [added](Self::keep_off_item).
     pub(super) fn new(figure: &Figure<'_>, outlines: impl Iterator<Item = [DVec2; 2]>) -> Self {
         let mut lines: Vec<[DVec2; 2]> = outlines.collect();
-        let rays: Vec<[DVec2; 2]> = figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends).collect();
-        lines.extend_from_slice(&rays);
+        let outlines = lines.len();
+        lines.extend(figure.branches.iter().rev().take(MOST_LINES).map(|branch| branch.ends));
+        let rays = outlines..lines.len();
         let notes = notes::notes(figure).into_iter();
         let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };
         Self { area: figure.frame.area, lines, rays, taken: notes.filter_map(bounds).collect(), anchors: Vec::new() }
@@ -77,13 +80,10 @@ impl Room {
         self.anchors.iter().any(|other| apart(*other) < apart(own) - 1.0)
     }
 
-    /// How many rays cross the way between two points.
-    pub(super) fn rays_between(&self, a: DVec2, b: DVec2) -> u32 {
-        let crosses = |[c, d]: &&[DVec2; 2]| {
-            let [from_line, from_way] = [[a, b].map(|p| cross(*d - *c, p - *c)), [*c, *d].map(|p| cross(b - a, p - a))];
-            from_line[0] * from_line[1] < 0.0 && from_way[0] * from_way[1] < 0.0
-        };
-        u32::try_from(self.rays.iter().filter(crosses).count()).unwrap_or(u32::MAX)
+    /// The rays that come within a distance of a point.
+    pub(super) fn rays_near(&self, p: DVec2, distance: f64) -> Vec<[DVec2; 2]> {
+        let around = Rect { min: p, max: p }.grown(distance);
+        self.lines[self.rays.clone()].iter().filter(|ray| crosses(ray, &around)).copied().collect()
     }
 
     /// The cheapest of some middles with their costs for a text, `off` pixels from lines; `None` if every one is forbidden.
@@ -124,6 +124,12 @@ fn straight(item: &Item) -> Option<[DVec2; 2]> {
 pub(super) fn centered(text: &Text, middle: DVec2) -> Text {
     let at = middle + DVec2::new(0.0, 0.36 * text.size);
     Text { at: DVec2::new(pixel(at.x), pixel(at.y)), ..text.clone() }
+}
+
+/// Whether two lines cross each other within both.
+pub(super) fn cross_each_other([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    let sides = |from: DVec2, to: DVec2, p: DVec2, q: DVec2| cross(to - from, p - from) * cross(to - from, q - from);
+    sides(c, d, a, b) < 0.0 && sides(a, b, c, d) < 0.0
 }
 
 fn crosses([a, b]: &[DVec2; 2], rect: &Rect) -> bool {

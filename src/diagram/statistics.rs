@@ -1,7 +1,20 @@
 use crate::drawing::Item;
 
 /// Layers of marks that explain the rays.
-const MARKS: [&str; 5] = ["normals", "extensions", "angles", "arrows", "labels"];
+const MARKS: [&str; 12] = [
+    "axes",
+    "principal-planes",
+    "normals",
+    "extensions",
+    "protractors",
+    "wavefronts",
+    "deviations",
+    "angles",
+    "arrows",
+    "objects",
+    "focal-points",
+    "labels",
+];
 
 /// What a figure shows and what it could spare.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,7 +25,7 @@ pub struct Statistics {
     pub segments_outside_view: usize,
     /// Segments that were dropped because they carry less of their source ray than the figure shows.
     pub segments_below_faintest: usize,
-    /// Normals, extensions, arrowheads and labels.
+    /// Normals, arrowheads, labels and all other marks that explain the rays.
     pub marks_drawn: usize,
     /// Whether the figure has words.
     pub font_used: bool,

@@ -27,9 +27,9 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, opti
         return Extent::point(a).with(b);
     }
     let aspect = area.size().x.max(1.0) / area.size().y.max(1.0);
-    let (lit, escaped) = lit(tree, scene.diagram.faintest);
+    let Lit { all, hits, escaped } = lit(tree, scene.diagram.faintest);
     let unlit = extensions::points(scene, tree);
-    let Some(things) = Extent::of(things(scene, system).into_iter().chain(lit.into_iter().flat_map(Extent::ends)))
+    let Some(things) = Extent::of(things(scene, system).into_iter().chain(all.into_iter().flat_map(Extent::ends)))
     else {
         return Extent { min: DVec2::splat(-1.0), max: DVec2::splat(1.0) };
     };
@@ -39,46 +39,48 @@ pub(super) fn extent(scene: &Scene, system: &OpticalSystem, tree: &RayTree, opti
         .chain(optics.points(&things))
         .fold(things, Extent::with);
     let all = tails(&escaped, focused.height_at(aspect)).fold(focused, Extent::with).padded(MARGIN);
-    if scene.diagram.angles { with_room_for_arcs(all, tree, scene.diagram.faintest, area) } else { all }
+    hits.filter(|_| scene.diagram.angles).map_or(all, |hits| with_room_for_arcs(all, hits, area))
 }
 
 /// The extent with room around the hits for their angle arcs.
-fn with_room_for_arcs(all: Extent, tree: &RayTree, faintest: f64, area: &Rect) -> Extent {
-    let scale = (area.size() / all.size()).min_element();
-    let turns = |segment: &Segment| segment.hit.is_some_and(|hit| hit.n_t.is_some() || hit.reflectance.total() > 0.0);
-    let segments =
-        tree.rays.iter().flat_map(|ray| ray.segments.iter().filter(move |segment| share(ray, segment) >= faintest));
-    let hits = Extent::of(segments.filter(|segment| turns(segment)).filter_map(|segment| segment.to));
-    match hits {
-        Some(hits) if scale > 0.0 => {
-            let by = DVec2::splat(ARC / scale);
-            all.with(hits.min - by).with(hits.max + by)
-        }
-        _ => all,
-    }
+fn with_room_for_arcs(all: Extent, hits: Extent, area: &Rect) -> Extent {
+    let by = DVec2::splat(ARC / (area.size() / all.size()).min_element());
+    all.with(hits.min - by).with(hits.max + by)
 }
 
 /// Segments with their rays and shares of the source ray.
 type Escaped<'a> = Vec<(&'a TracedRay, &'a Segment, f64)>;
 
-/// The box of all segments that are drawn, and those of them that escaped.
-fn lit(tree: &RayTree, faintest: f64) -> (Option<Extent>, Escaped<'_>) {
-    let (mut lit, mut escaped) = (None, Vec::new());
+/// What of the light is drawn.
+#[derive(Default)]
+struct Lit<'a> {
+    /// The box of its segments.
+    all: Option<Extent>,
+    /// The box of where it turns.
+    hits: Option<Extent>,
+    escaped: Escaped<'a>,
+}
+
+fn lit(tree: &RayTree, faintest: f64) -> Lit<'_> {
+    let mut lit = Lit::default();
+    let grown = |extent: Option<Extent>, p| extent.map(|extent| extent.with(p)).or_else(|| Extent::of([p]));
     for (ray, segment) in tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment))) {
         let share = share(ray, segment);
         if share < faintest {
             continue;
         }
-        lit = lit.or_else(|| Extent::of([segment.from])).map(|lit| lit.with(segment.from));
-        lit = match segment.to {
-            Some(to) => lit.map(|lit| lit.with(to)),
-            None => lit,
-        };
+        lit.all = grown(lit.all, segment.from);
+        if let Some(to) = segment.to {
+            lit.all = grown(lit.all, to);
+            if segment.ending == Ending::Interface {
+                lit.hits = grown(lit.hits, to);
+            }
+        }
         if segment.ending == Ending::Escaped {
-            escaped.push((ray, segment, share));
+            lit.escaped.push((ray, segment, share));
         }
     }
-    (lit, escaped)
+    lit
 }
 
 /// Other points that must be seen: bodies, the sources' starts, notes.

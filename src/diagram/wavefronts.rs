@@ -6,9 +6,10 @@ use glam::DVec2;
 
 use crate::diagram::branches::{Branch, letters};
 use crate::diagram::generations::Aged;
+use crate::diagram::hits::is_thin_lens;
 use crate::diagram::{Figure, nice};
 use crate::drawing::{Cap, Color, Path, Shape, Stroke};
-use crate::scene::{Light, Substance, Surface};
+use crate::scene::Light;
 
 /// Half the length of a mark across its ray, pixels.
 const HALF: f64 = 4.0;
@@ -92,11 +93,14 @@ impl Mark {
 
 fn are_neighbors(a: &Mark, b: &Mark, last: Option<usize>) -> bool {
     let closes = last.is_some_and(|last| [a.ray, b.ray].contains(&0) && [a.ray, b.ray].contains(&last) && last > 1);
+    if !(a.ray.abs_diff(b.ray) == 1 || closes) {
+        return false;
+    }
     let (short, long) = if a.path.len() <= b.path.len() { (&a.path, &b.path) } else { (&b.path, &a.path) };
     let apart = (b.at - a.at).normalize_or_zero();
     let is_across = [a, b].iter().all(|mark| mark.along.dot(apart).abs() <= STEEPEST);
     let is_one_way = long.len() - short.len() <= 1 && long.starts_with(short.as_str());
-    (a.ray.abs_diff(b.ray) == 1 || closes) && is_one_way && is_across
+    is_one_way && is_across
 }
 
 /// The ray that stands beside the first, where rays leave all round.
@@ -110,9 +114,5 @@ fn last_ray(figure: &Figure<'_>, source: usize) -> Option<usize> {
 fn is_behind_thin_lens(figure: &Figure<'_>, branch: &Branch<'_>) -> bool {
     let before = |parent: &crate::trace::Segment| branch.ray.segments.get(parent.parent?.index());
     let ancestors = std::iter::successors(before(branch.segment), |parent| before(parent));
-    let is_thin_lens = |body: usize| {
-        let substance = figure.scene.bodies.get(body).map(|body| &body.substance);
-        matches!(substance, Some(Substance::Surface(Surface::ThinLens { .. })))
-    };
-    ancestors.filter_map(|parent| parent.hit).any(|hit| is_thin_lens(hit.body))
+    ancestors.filter_map(|parent| parent.hit).any(|hit| is_thin_lens(figure, &hit))
 }
