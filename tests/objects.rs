@@ -170,8 +170,8 @@ fn a_rounded_object_has_the_image_of_the_exact_one() {
         let image = images.last().unwrap();
         image.tip - image.foot
     };
-    let exact = image("(-75.17540966287267, -27.361611466053496)", "(-78.25377024272932, -18.904068500904426)");
-    let rounded = image("(-75.18, -27.36)", "(-78.25, -18.90)");
+    let exact = image("(-75.17540966287267, -27.361611466053496)", "(-81.33177224273471, -10.447144291907144)");
+    let rounded = image("(-75.18, -27.36)", "(-81.33, -10.45)");
     assert!(exact.normalize().perp_dot(rounded.normalize()).abs() < 0.01, "{exact} {rounded}");
 }
 

@@ -382,7 +382,7 @@ fn rays_through_different_faces_are_not_drawn_back_to_one_point() {
     // One ray through the top, one through the side, each less than critical there.
     let run = run_text(
         "(bodies: [(shape: Rectangle(40, 40), medium: Index(1.333))], trace: (secondary_rays: TransmittedOnly),
-        sources: [(light: Fan(from: (10, 10), direction: Angle(45), spread: 30, rays: 2))], diagram: (extensions: true))",
+        sources: [(light: Fan(from: (10, 10), direction: Angle(45), spread: 80, rays: 2))], diagram: (extensions: true))",
     );
     let hits: Vec<_> = run.trace.tree.rays.iter().map(|ray| ray.segments[0].hit.unwrap().normal).collect();
     assert!(hits[0].dot(hits[1]).abs() < 1e-9, "two faces");
