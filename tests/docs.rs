@@ -21,6 +21,8 @@
 mod accuracy;
 #[path = "docs/commands.rs"]
 mod commands;
+#[path = "docs/contributing.rs"]
+mod contributing;
 #[path = "../benches/support/page.rs"]
 mod filled_page;
 #[path = "docs/links.rs"]
