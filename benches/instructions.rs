@@ -9,8 +9,7 @@ mod scenes;
 
 use std::hint::black_box;
 
-use snellius::scene::TraceSettings;
-use snellius::{OpticalSystem, Scene, compile, summarize, trace};
+use snellius::{OpticalSystem, compile, summarize, trace};
 
 fn main() {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
@@ -33,6 +32,7 @@ fn system(scene: &str) -> OpticalSystem {
         "slabs" => scenes::slabs(1),
         other => panic!("no scene {other}: prism or slabs"),
     };
-    let trace = TraceSettings { min_power: 1e-4, max_depth: scenes::NO_DEPTH, ..TraceSettings::default() };
-    compile(&Scene { trace, ..scene }).unwrap().system
+    let mut scene = scene;
+    (scene.trace.min_power, scene.trace.max_depth) = (1e-4, scenes::NO_DEPTH);
+    compile(&scene).unwrap().system
 }

@@ -93,6 +93,72 @@ fn what_is_allowed_passes() {
     }
 }
 
+/// Caches of what is part of the program: computed once from constants, so that nobody can tell when.
+const CACHES: [&str; 2] =
+    ["static ENTRIES: OnceLock<Vec<Entry>>", "static FACES: [OnceLock<Option<Face<'static>>>; 3]"];
+
+/// What a module of the library has no business with: results depend on the arguments alone.
+const OUTSIDE: [&str; 11] = [
+    "static ",
+    "thread_local!",
+    "lazy_static!",
+    "std::env",
+    "env::",
+    "Instant",
+    "SystemTime",
+    "std::process",
+    "std::net",
+    "rand::",
+    "set_hook",
+];
+
+#[test]
+fn the_library_has_no_state_of_its_own() {
+    let mut wrong = Vec::new();
+    for file in rust_files(&source()) {
+        if module_of(&file).is_some_and(|module| module != "cli") {
+            let found = state(&read(&file));
+            wrong.extend(found.into_iter().map(|line| format!("{}: {line}", file.display())));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn state_is_found_in_every_form() {
+    for line in [
+        "static COUNT: AtomicU64 = AtomicU64::new(0);",
+        "    pub(crate) static mut LAST: u32 = 0;",
+        "static KNOWN: OnceLock<Vec<u8>> = OnceLock::new();",
+        "thread_local! { static A: Cell<u8> = Cell::new(0); }",
+        "let home = std::env::var(\"HOME\");",
+        "use std::time::{Duration, Instant};",
+    ] {
+        assert_eq!(state(line), [line.trim()], "{line}");
+    }
+    for line in [
+        "fn f() -> &'static str {",
+        "/// static thing",
+        "const N: u8 = 1; // static N",
+        "    static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();",
+    ] {
+        assert_eq!(state(line), Vec::<String>::new(), "{line}");
+    }
+    let test = "fn f() {}\n#[cfg(test)]\nmod tests {\n    use std::time::Instant;\n}\n";
+    assert_eq!(state(test), Vec::<String>::new(), "tests may look at the clock");
+}
+
+/// The lines of some code, without comments and unit tests, that hold or reach state outside of their arguments.
+fn state(code: &str) -> Vec<String> {
+    let library = code.split("#[cfg(test)]\nmod tests {").next().unwrap_or("");
+    let is_cache = |line: &str| CACHES.iter().any(|cache| line.starts_with(cache));
+    let reaches = |line: &str| {
+        let words = line.split("//").next().unwrap_or("").replace("'static ", "");
+        OUTSIDE.iter().any(|outside| words.contains(outside)) && !is_cache(line)
+    };
+    library.lines().map(str::trim).filter(|line| reaches(line)).map(str::to_owned).collect()
+}
+
 /// The modules that some code, in a file so deep below the crate's root, uses though they do not stand before its own.
 fn upward(module: &str, depth: usize, code: &str, exports: &[(String, String)]) -> Vec<String> {
     let place = |name: &str| MODULES.iter().position(|listed| *listed == name);

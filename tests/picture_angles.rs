@@ -4,12 +4,12 @@
 
 mod support;
 
+use snellius::diagram;
 use snellius::drawing::{Drawing, Group, Item, Rect, Text};
 use snellius::glam;
 use snellius::numerics::tan_degrees;
 use snellius::scene::{Light, Substance, Surface};
 use snellius::trace::{Segment, TracedRay};
-use snellius::{Scene, diagram};
 use support::{Run, run_scene, run_text};
 
 fn figure(run: &Run) -> Drawing {
@@ -49,7 +49,7 @@ fn angles(drawing: &Drawing) -> Vec<Group> {
     let mut hits: Vec<Group> = Vec::new();
     for part in generations.flat_map(|generation| groups(&generation.items, "angle")) {
         match hits.iter_mut().find(|hit| hit.data == part.data) {
-            Some(hit) => hit.items.extend(part.items.iter().cloned()),
+            Some(hit) => hit.items = [&hit.items[..], &part.items].concat().into(),
             None => hits.push(part.clone()),
         }
     }
@@ -64,7 +64,7 @@ fn texts_of(item: &Item) -> Vec<&Text> {
     match item {
         Item::Text(text) => vec![text],
         Item::Group(group) => texts(&group.items),
-        Item::Shape(_) | Item::Lines(_) => Vec::new(),
+        _ => Vec::new(),
     }
 }
 
@@ -170,13 +170,14 @@ fn no_words_overlap_or_leave_the_frame_and_no_hit_is_lost() {
     let mut marked = 0;
     for name in support::scene_names() {
         for (size, all) in [([960, 540], false), ([640, 400], false), ([1600, 900], false), ([960, 540], true)] {
-            let scene = support::run(&name).scene;
-            let mut diagram = snellius::scene::DiagramSettings { size, ..scene.diagram.clone() };
+            let mut scene = support::run(&name).scene;
+            let diagram = &mut scene.diagram;
+            diagram.size = size;
             if all {
                 (diagram.grid, diagram.scale_bar, diagram.protractor) = (true, true, true);
                 (diagram.focal_points, diagram.principal_planes) = (true, true);
             }
-            let run = run_scene(Scene { diagram, ..scene });
+            let run = run_scene(scene);
             let drawing = figure(&run);
             let boxes = boxes(&drawing);
             let frame = Rect { min: glam::DVec2::ZERO, max: glam::DVec2::new(f64::from(size[0]), f64::from(size[1])) };

@@ -4,10 +4,10 @@
 
 mod support;
 
+use snellius::diagram;
 use snellius::drawing::{Color, Drawing, Group, Item, PathStep, Rect, Shape, Text};
 use snellius::glam::DVec2;
-use snellius::scene::{DiagramSettings, Theme};
-use snellius::{Scene, diagram};
+use snellius::scene::Theme;
 use support::{Run, run, run_scene, run_text};
 
 fn drawn(run: &Run) -> Drawing {
@@ -36,7 +36,7 @@ fn texts(items: &[Item]) -> Vec<&Text> {
     let of = items.iter().map(|item| match item {
         Item::Text(text) => vec![text],
         Item::Group(group) => texts(&group.items),
-        Item::Shape(_) | Item::Lines(_) => Vec::new(),
+        _ => Vec::new(),
     });
     of.flatten().collect()
 }
@@ -207,8 +207,9 @@ fn no_words_overlap_or_leave_the_figure() {
     for scene in scenes {
         for size in [[320, 240], [400, 240], [480, 300], [640, 400], [960, 540], [1920, 1080], [400, 1200]] {
             for theme in [Theme::Light, Theme::Dark, Theme::Print] {
-                let diagram = DiagramSettings { size, theme, ..scene.diagram.clone() };
-                let drawing = drawn(&run_scene(Scene { diagram, ..scene.clone() }));
+                let mut scene = scene.clone();
+                (scene.diagram.size, scene.diagram.theme) = (size, theme);
+                let drawing = drawn(&run_scene(scene.clone()));
                 let plots = plots(&drawing);
                 let own: Vec<&Text> = plots.iter().flat_map(|plot| texts(&plot.items)).collect();
                 let whole = Rect { min: DVec2::ZERO, max: DVec2::new(f64::from(size[0]), f64::from(size[1])) };

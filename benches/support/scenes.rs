@@ -10,12 +10,15 @@ pub(crate) const NO_DEPTH: u32 = 100_000;
 /// A body of index 1.5.
 pub(crate) fn body(shape: Shape, at: DVec2) -> Body {
     let substance = Substance::Medium(Medium::Index(1.5));
-    Body { name: None, label: None, color: None, shape, at, rotate: 0.0, substance }
+    Body::new(shape, substance).placed(at, 0.0)
 }
 
 pub(crate) fn source(light: Light) -> Source {
     let (spectrum, polarization) = (Spectrum::default(), Polarization::Unpolarized);
-    Source { name: None, color: None, light, spectrum, power: 1.0, polarization }
+    let mut source = Source::new(light);
+    source.spectrum = spectrum;
+    source.polarization = polarization;
+    source
 }
 
 pub(crate) fn beam(center: DVec2, degrees: f64, width: f64, rays: u32) -> Light {
@@ -26,12 +29,12 @@ pub(crate) fn beam(center: DVec2, degrees: f64, width: f64, rays: u32) -> Light 
 pub(crate) fn prism(rays: u32) -> Scene {
     let body = body(Shape::Prism { apex_angle: 60.0, side: 30.0 }, DVec2::ZERO);
     let light = beam(DVec2::new(-30.0, -6.0), 12.0, 16.0, rays);
-    Scene { bodies: vec![body], sources: vec![source(light)], ..Scene::default() }
+    Scene::new(vec![body], vec![source(light)])
 }
 
 /// Five slabs, ten surfaces.
 pub(crate) fn slabs(rays: u32) -> Scene {
     let slab = |k: u32| body(Shape::Rectangle { width: 4.0, height: 1000.0 }, DVec2::new(10.0 * f64::from(k), 0.0));
     let light = beam(DVec2::new(-20.0, 0.0), 40.0, 8.0, rays);
-    Scene { bodies: (0..5).map(slab).collect(), sources: vec![source(light)], ..Scene::default() }
+    Scene::new((0..5).map(slab).collect(), vec![source(light)])
 }

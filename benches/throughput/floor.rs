@@ -19,6 +19,9 @@ pub(crate) struct Replay<'a> {
     plan: Vec<Option<(usize, bool)>>,
     min_power: f64,
     max_depth: u32,
+    /// A ray and a segment of the trace, of which every other is made.
+    ray: TracedRay,
+    segment: Segment,
     /// Indices on the left and the right of every interface.
     indices: Vec<[f64; 2]>,
 }
@@ -50,9 +53,10 @@ impl<'a> Replay<'a> {
         let line = system.sources()[0].lines[0];
         let indices = |one: &Interface| [one.left, one.right].map(|medium| system.index(medium, line));
         let indices = system.interfaces().iter().map(indices).collect();
-        let mut recorder = Recorder { system, plan: Vec::new() };
+        let mut recorder = Recorder { system, plan: Vec::new(), first_hit: None };
         visit(system, &mut recorder);
-        Self { system, plan: recorder.plan, min_power, max_depth, indices }
+        let (ray, segment) = recorder.first_hit.unwrap();
+        Self { system, plan: recorder.plan, min_power, max_depth, ray, segment, indices }
     }
 
     /// Hands every segment of the trace to a visitor.
@@ -60,14 +64,9 @@ impl<'a> Replay<'a> {
         let (mut next, mut waiting) = (self.plan.iter(), Vec::new());
         for (number, source) in self.system.sources().iter().enumerate() {
             for (k, start) in source.starts.iter().enumerate() {
-                let ray = TracedRay {
-                    source: number,
-                    ray: k,
-                    wavelength: source.lines[0],
-                    power: source.power.total(),
-                    one_of_several_lines: false,
-                    segments: Vec::new(),
-                };
+                let mut ray = self.ray.clone();
+                (ray.source, ray.ray, ray.wavelength) = (number, k, source.lines[0]);
+                ray.power = source.power.total();
                 let n = self.system.index(start.medium, ray.wavelength);
                 let (next, waiting, visitor) = (&mut next, &mut waiting, &mut *visitor);
                 let mut run = Run { replay: self, ray: &ray, next, waiting, visitor };
@@ -100,7 +99,7 @@ impl<V: Visitor> Run<'_, '_, V> {
             (_, true) => Ending::CutMinPower,
             _ => Ending::Escaped,
         };
-        let segment = branch.segment(id, branch.from + self.replay.system.origin(), ending);
+        let segment = branch.segment(self.replay.segment, id, branch.from + self.replay.system.origin(), ending);
         match met {
             Some((interface, from_left)) => self.arrive(branch, interface, from_left, segment),
             None => segment,
@@ -108,14 +107,15 @@ impl<V: Visitor> Run<'_, '_, V> {
     }
 
     #[inline]
-    fn arrive(&mut self, branch: &Branch, interface: usize, from_left: bool, segment: Segment) -> Segment {
+    fn arrive(&mut self, branch: &Branch, interface: usize, from_left: bool, mut segment: Segment) -> Segment {
         let met = &self.replay.system.interfaces()[interface];
         let distance = distance(&met.curve, branch, branch.last == interface, from_left);
         let at = met.curve.clamp(met.curve.project(branch.from + distance * branch.direction));
         let left = met.curve.normal_at(at);
         let [n_left, n_right] = self.replay.indices[interface];
         let (normal, n_i, n_t) = if from_left { (left, n_left, n_right) } else { (-left, n_right, n_left) };
-        let mut hit = Hit { body: met.body, normal, n_i, n_t: Some(n_t), ..NO_HIT };
+        let mut hit = self.replay.segment.hit.unwrap();
+        (hit.body, hit.normal, hit.n_i, hit.n_t) = (met.body, normal, n_i, Some(n_t));
         let transmitted = refraction(branch.direction, &mut hit);
         let optical_path = branch.optical_path + optical_path_length(n_i, branch.from.distance(at));
         let mut send = |via, direction, share: Power, n| {
@@ -131,27 +131,20 @@ impl<V: Visitor> Run<'_, '_, V> {
         if let Some(direction) = transmitted {
             send(Via::Transmission, direction, hit.transmittance, n_t);
         }
-        let to = Some(at + self.replay.system.origin());
-        Segment { to, optical_path, ending: Ending::Interface, hit: Some(hit), ..segment }
+        segment.to = Some(at + self.replay.system.origin());
+        (segment.optical_path, segment.ending, segment.hit) = (optical_path, Ending::Interface, Some(hit));
+        segment
     }
 }
 
 impl Branch {
     /// As it is recorded where it meets nothing.
-    fn segment(&self, id: SegmentId, from: DVec2, ending: Ending) -> Segment {
-        Segment {
-            id,
-            parent: self.parent,
-            via: self.via,
-            from,
-            to: None,
-            direction: self.direction,
-            medium_index: self.n,
-            power: self.power,
-            optical_path: self.optical_path,
-            ending,
-            hit: None,
-        }
+    fn segment(&self, mut segment: Segment, id: SegmentId, from: DVec2, ending: Ending) -> Segment {
+        (segment.id, segment.parent, segment.via) = (id, self.parent, self.via);
+        (segment.from, segment.to, segment.direction) = (from, None, self.direction);
+        (segment.medium_index, segment.power, segment.optical_path) = (self.n, self.power, self.optical_path);
+        (segment.ending, segment.hit) = (ending, None);
+        segment
     }
 }
 
@@ -179,38 +172,27 @@ fn refraction(v: DVec2, hit: &mut Hit) -> Option<DVec2> {
             (Some(direction), Shares::fresnel(fresnel(n_i, n_t, cos_i, sin_i, cos_t, sin_t)))
         }
         Refraction::TotalInternalReflection { .. } => {
-            hit.total_internal_reflection = true;
+            (hit.cos_t, hit.sin_t) = (None, None);
             (None, Shares::total_reflection())
         }
     };
+    hit.total_internal_reflection = direction.is_none();
     (hit.reflectance, hit.transmittance) = (shares.reflectance, shares.transmittance);
     direction
 }
-
-const NO_HIT: Hit = Hit {
-    body: 0,
-    normal: DVec2::ZERO,
-    n_i: 1.0,
-    n_t: None,
-    cos_i: 0.0,
-    sin_i: 0.0,
-    cos_t: None,
-    sin_t: None,
-    reflectance: Power { s: 0.0, p: 0.0 },
-    transmittance: Power { s: 0.0, p: 0.0 },
-    absorptance: 0.0,
-    total_internal_reflection: false,
-    position: None,
-};
 
 /// Writes the plan of a trace.
 struct Recorder<'a> {
     system: &'a OpticalSystem,
     plan: Vec<Option<(usize, bool)>>,
+    first_hit: Option<(TracedRay, Segment)>,
 }
 
 impl Visitor for Recorder<'_> {
-    fn segment(&mut self, _: &TracedRay, segment: Segment) {
+    fn segment(&mut self, ray: &TracedRay, segment: Segment) {
+        if self.first_hit.is_none() && segment.hit.is_some() {
+            self.first_hit = Some((ray.clone(), segment));
+        }
         match (segment.ending, segment.to.zip(segment.hit)) {
             (Ending::CutMinPower | Ending::CutMaxDepth, _) => {}
             (Ending::Escaped, _) => self.plan.push(None),

@@ -6,7 +6,7 @@ use snellius::light::Power;
 use snellius::scene::{Direction, Light};
 use snellius::system::RayStart;
 use snellius::trace::{Ray, Search};
-use snellius::{OpticalSystem, Scene, compile};
+use snellius::{OpticalSystem, compile};
 
 use crate::contest::{OURS, SCALAR};
 use crate::figures::Bound;
@@ -72,7 +72,7 @@ fn task<'a>(name: &'static str, system: &OpticalSystem, flat: &'a Flat, nearest:
 /// All rays of a system, side by side as those of the other searches are.
 fn rays(system: &OpticalSystem) -> Vec<Ray> {
     let starts = system.sources().iter().flat_map(|source| &source.starts);
-    starts.map(|&RayStart { from, direction, medium, start }| Ray { from, direction, medium, start }).collect()
+    starts.map(|&RayStart { from, direction, medium, start, .. }| Ray { from, direction, medium, start }).collect()
 }
 
 /// The sum of the distances of rays to what they meet first, −1 for nothing.
@@ -90,5 +90,7 @@ fn system(polygons: usize, rays: usize) -> OpticalSystem {
         source(Light::Ray { from, direction: Direction::Angle(360.0 * random.unit()) })
     };
     let sources = (0..rays).map(|_| ray()).collect();
-    compile(&Scene { sources, ..scattered(polygons, 5, 0) }).unwrap().system
+    let mut scene = scattered(polygons, 5, 0);
+    scene.sources = sources;
+    compile(&scene).unwrap().system
 }

@@ -15,20 +15,18 @@ const MIN_POWER: f64 = 1e-4;
 pub(crate) const BOUNCES: u32 = 1000;
 
 /// The scene, cut by power alone.
-pub(crate) fn by_power(scene: Scene) -> Scene {
-    let trace = TraceSettings {
-        min_power: MIN_POWER,
-        max_depth: NO_DEPTH,
-        max_segments: snellius::scene::MAX_SEGMENTS,
-        ..TraceSettings::default()
-    };
-    Scene { trace, ..scene }
+pub(crate) fn by_power(mut scene: Scene) -> Scene {
+    scene.trace = TraceSettings::default();
+    (scene.trace.min_power, scene.trace.max_depth) = (MIN_POWER, NO_DEPTH);
+    scene.trace.max_segments = snellius::scene::MAX_SEGMENTS;
+    scene
 }
 
 /// The scene, cut by depth too.
 pub(crate) fn to_depth(scene: Scene, max_depth: u32) -> Scene {
-    let scene = by_power(scene);
-    Scene { trace: TraceSettings { max_depth, ..scene.trace }, ..scene }
+    let mut scene = by_power(scene);
+    scene.trace.max_depth = max_depth;
+    scene
 }
 
 /// The Cooke triplet of the gallery without stop and film, a beam over its first face.
@@ -53,7 +51,7 @@ pub(crate) fn guide(rays: u32) -> Scene {
     let length = 1.8 * f64::from(BOUNCES);
     let bar = body(Shape::Rectangle { width: length, height: 1.0 }, DVec2::new(0.5 * length, 0.0));
     let light = Light::Fan { from: DVec2::new(0.1, 0.05), direction: Direction::Angle(30.0), spread: 1.0, rays };
-    Scene { bodies: vec![bar], sources: vec![source(light)], ..Scene::default() }
+    Scene::new(vec![bar], vec![source(light)])
 }
 
 /// Convex polygons of different sizes and indices, none overlapping, one to a cell of size 1 of a square field; rays from
@@ -64,7 +62,7 @@ pub(crate) fn scattered(polygons: usize, corners: usize, rays: usize) -> Scene {
     let across = columns(polygons);
     let bodies = (0..polygons).map(|k| polygon(k, across, corners, &mut random)).collect();
     let sources = (0..rays).map(|_| ray(random.below(polygons), across, &mut random)).collect();
-    Scene { bodies, sources, ..Scene::default() }
+    Scene::new(bodies, sources)
 }
 
 /// Polygons in a row of a field of so many.
@@ -87,7 +85,7 @@ fn polygon(k: usize, across: usize, corners: usize, random: &mut Random) -> Body
     let shape = Shape::Polygon((0..corners).map(corner).collect());
     let jitter = (0.98 - 2.0 * radius) * DVec2::new(random.unit() - 0.5, random.unit() - 0.5);
     let index = 1.3 + 0.04 * number(random.below(16));
-    Body { substance: Substance::Medium(Medium::Index(index)), ..body(shape, cell(k, across) + jitter) }
+    Body::new(shape, Medium::Index(index)).placed(cell(k, across) + jitter, 0.0)
 }
 
 fn ray(k: usize, across: usize, random: &mut Random) -> Source {

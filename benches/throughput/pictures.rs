@@ -1,7 +1,6 @@
 //! What a drawing costs beside the trace that it shows, and what keeping the tree costs.
 
 use snellius::drawing::{Cap, Color, Drawing, Item, PathStep, Shape, Stroke};
-use snellius::scene::DiagramSettings;
 use snellius::{Scene, compile, diagram, render, retrace, summarize, trace};
 use tiny_skia::{LineCap, LineJoin, Paint, PathBuilder, Pixmap, Transform};
 
@@ -47,8 +46,9 @@ fn stack(segments: u64) -> (Scene, u64) {
     let of = |rays| by_power(slabs(rays));
     let count = |rays| followed(&compile(&of(rays)).unwrap().system);
     let rays = u32::try_from(segments.div_ceil(count(1))).unwrap();
-    let diagram = DiagramSettings { faintest: 0.0, ..DiagramSettings::default() };
-    (Scene { diagram, ..of(rays) }, count(rays))
+    let mut scene = of(rays);
+    scene.diagram.faintest = 0.0;
+    (scene, count(rays))
 }
 
 /// The rays of a drawing as a picture, each by a stroke of its own.
@@ -74,7 +74,7 @@ fn stroke_items(pixels: &mut Pixmap, items: &[Item]) {
             Item::Shape(Shape { path, stroke: Some(stroke), class, .. }) if class.starts_with("ray") => {
                 stroke_lines(pixels, ends(path.steps()).into_iter(), stroke);
             }
-            Item::Shape(_) | Item::Text(_) => {}
+            _ => {}
         }
     }
 }
@@ -89,7 +89,7 @@ fn ends(steps: &[PathStep]) -> Vec<[f32; 4]> {
             None
         }
         PathStep::LineTo(to) => from.replace(to).map(|from| [from.x, from.y, to.x, to.y].map(|x| x as f32)),
-        PathStep::ArcTo { .. } | PathStep::Close => None,
+        _ => None,
     };
     steps.iter().filter_map(&mut line).collect()
 }

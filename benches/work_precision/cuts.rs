@@ -32,7 +32,12 @@ pub(crate) fn run(study: &mut Study) {
     for (name, scene) in &scenes {
         // The polygons take minutes as it is.
         let rounds = study.size(1, if *name == "500 polygons" { 3 } else { 15 });
-        let with = |min_power, max_depth| TraceSettings { min_power, max_depth, ..TraceSettings::default() };
+        let with = |min_power, max_depth| {
+            let mut settings = TraceSettings::default();
+            settings.min_power = min_power;
+            settings.max_depth = max_depth;
+            settings
+        };
         let powers = (1..=8).map(|k| with(f64::from(10_u32.pow(k)).recip(), NO_DEPTH)).collect();
         results.extend(sweep(name, "min_power", scene, powers, most, rounds));
         let depths = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64];
@@ -61,10 +66,12 @@ fn sweep(
     rounds: usize,
 ) -> Vec<Measured> {
     let runs = settings.into_iter().map(|settings| {
-        let trace = TraceSettings { max_segments: most, ..settings };
-        let system = compile(&Scene { trace, ..base.clone() }).unwrap().system;
+        let mut scene = base.clone();
+        scene.trace = settings;
+        scene.trace.max_segments = most;
+        let system = compile(&scene).unwrap().system;
         let summary = summarize(&system);
-        (trace, system, summary)
+        (scene.trace, system, summary)
     });
     let runs: Vec<_> = runs.take_while(|(_, _, summary)| summary.balance.cut_max_segments.value() == 0.0).collect();
     let seconds = medians(rounds, &mut runs.iter().map(|(_, system, _)| task(system)).collect::<Vec<_>>());
@@ -128,7 +135,7 @@ fn polygons() -> Scene {
     let mut random = Random(5);
     let bodies: Vec<_> = (0..500).map(|k| polygon(k, &mut random)).collect();
     let light = beam(DVec2::new(-5.0, 10.0), 3.0, 14.0, 8);
-    Scene { bodies, sources: vec![source(light)], ..Scene::default() }
+    Scene::new(bodies, vec![source(light)])
 }
 
 /// One of 25 × 20 cells of size 1 holds a polygon on a circle.

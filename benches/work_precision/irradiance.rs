@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_3;
 use std::hint::black_box;
 
 use glam::DVec2;
-use snellius::scene::{Body, Direction, Light, Shape, Source, Substance, Surface};
+use snellius::scene::{Body, Direction, Light, Shape, Substance, Surface};
 use snellius::{OpticalSystem, Scene, compile, summarize};
 
 use crate::clock::medians;
@@ -118,12 +118,18 @@ fn system(spacing: &str, rays: u32, random: &mut Random) -> OpticalSystem {
         };
         let degrees = (0..rays).map(share).map(|share| middle + SPREAD.to_degrees() * (share - 0.5));
         let ray = |degrees| Light::Ray { from, direction: Direction::Angle(degrees) };
-        degrees.map(|degrees| Source { power: f64::from(rays).recip(), ..source(ray(degrees)) }).collect()
+        degrees
+            .map(|degrees| {
+                let mut source = source(ray(degrees));
+                source.power = f64::from(rays).recip();
+                source
+            })
+            .collect()
     };
     let shape = Shape::Flat { from: DVec2::new(-SCREEN, 0.0), to: DVec2::new(SCREEN, 0.0) };
     let substance = Substance::Surface(Surface::Screen);
-    let screen = Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance };
-    compile(&Scene { bodies: vec![screen], sources, ..Scene::default() }).unwrap().system
+    let screen = Body::new(shape, substance);
+    compile(&Scene::new(vec![screen], sources)).unwrap().system
 }
 
 /// The fractional part of `phase` + k φ, φ the golden ratio: a sequence that fills 0 to 1 evenly at any length.

@@ -106,10 +106,9 @@ fn timed_compile(facets: Option<u32>) -> (OpticalSystem, f64) {
 fn scene(facets: Option<u32>) -> Scene {
     let shape = Shape::Lens { radii: [RADIUS, f64::INFINITY], thickness: THICKNESS, diameter: 20.0, facets };
     let substance = Substance::Medium(Medium::Index(INDEX));
-    let lens = Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance };
+    let lens = Body::new(shape, substance);
     let ray = |k| Light::Ray { from: DVec2::new(-20.0, height(k)), direction: Direction::Angle(0.0) };
-    let mut scene =
-        Scene { bodies: vec![lens], sources: (0..RAYS).map(|k| source(ray(k))).collect(), ..Scene::default() };
+    let mut scene = Scene::new(vec![lens], (0..RAYS).map(|k| source(ray(k))).collect());
     scene.trace.secondary_rays = SecondaryRays::TransmittedOnly;
     scene
 }

@@ -18,6 +18,7 @@ pub struct Bundle {
 
 /// A ray of a bundle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct BundleRay {
     /// The ray within its source.
     pub ray: usize,
@@ -31,6 +32,7 @@ pub struct BundleRay {
 
 /// Where rays meet best.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Focus {
     /// The point with the least sum of squared distances from all rays.
     pub at: DVec2,
@@ -42,6 +44,7 @@ pub struct Focus {
 
 /// Whether light passes through an image or only seems to come from it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ImageKind {
     /// Ahead of where every ray of the bundle starts.
     Real,

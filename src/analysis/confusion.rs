@@ -10,6 +10,7 @@ use crate::numerics::{cross, dot};
 /// # Source
 /// Hecht, "Optics", 4th ed., section 6.3.1; Born & Wolf, "Principles of Optics", 7th ed., section 5.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Confusion {
     /// Its middle.
     pub at: DVec2,

@@ -26,7 +26,7 @@ pub fn deviation_degrees(from: DVec2, to: DVec2) -> f64 {
 pub fn turning_degrees(ray: &TracedRay, branch: SegmentId) -> Option<f64> {
     let end = ray.segments.get(branch.index())?;
     let (mut turns, mut segment) = (Sum::default(), end);
-    while let Some(parent) = segment.parent.and_then(|parent| ray.segments.get(parent.index())) {
+    for parent in ray.ancestors(branch).skip(1) {
         turns.add(deviation_degrees(parent.direction, segment.direction));
         segment = parent;
     }

@@ -6,6 +6,7 @@ use crate::trace::{RayTree, Segment, TracedRay};
 
 /// Where the rays of a source meet again, at one of its lines and behind the same hits.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Image {
     /// Vacuum wavelength.
     pub wavelength: Wavelength,

@@ -19,6 +19,7 @@ const PARTS: usize = 241;
 /// power is lost or made: of each line, the sum of value times width over all parts is the power that landed, up to rounding. What
 /// is sharper than a part is as high as the part allows.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Irradiance {
     /// The screen, by its place among the scene's bodies.
     pub body: usize,
@@ -32,6 +33,7 @@ pub struct Irradiance {
 
 /// Irradiance of one spectral line.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Curve {
     /// Vacuum wavelength.
     pub wavelength: Wavelength,
@@ -96,9 +98,7 @@ fn on_screen(system: &OpticalSystem, body: usize, lines: Lines) -> Irradiance {
 }
 
 fn way(ray: &TracedRay, segment: &Segment) -> Way {
-    let parent = |segment: &&Segment| ray.segments.get(segment.parent?.index());
-    let hits = std::iter::successors(Some(segment), parent)
-        .filter_map(|segment| Some((segment.via.letter(), segment.hit?.body)));
+    let hits = ray.ancestors(segment.id).filter_map(|segment| Some((segment.via.letter(), segment.hit?.body)));
     (ray.source, hits.collect())
 }
 

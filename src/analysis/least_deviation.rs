@@ -16,6 +16,7 @@ const ROUNDS: u32 = 9;
 
 /// The ray of a source that is turned least on some path.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LeastDeviation {
     /// Where it starts, in scene coordinates.
     pub from: DVec2,

@@ -17,6 +17,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The image of an object arrow, in scene coordinates.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ObjectImage {
     /// The source whose image it is, by its place in the scene.
     pub source: usize,

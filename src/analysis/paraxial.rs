@@ -12,6 +12,7 @@ use crate::system::{Action, MediumId, OpticalSystem};
 /// # Source
 /// Hecht, "Optics", 4th ed., sections 6.1 and 6.2.1; Born & Wolf, "Principles of Optics", 7th ed., sections 4.3 and 4.4.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Paraxial {
     /// The first vertex that light along the axis meets, and the last.
     pub vertices: [DVec2; 2],

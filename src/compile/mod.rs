@@ -38,6 +38,7 @@ const FEW: usize = 16;
 
 /// A compiled scene and what is suspicious about it.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Compiled {
     /// The system, ready to trace.
     pub system: OpticalSystem,

@@ -39,7 +39,7 @@ impl Ground<'_> {
     pub(crate) fn object(&self, source: &Source, from: DVec2, to: DVec2) -> Option<(Vec<DVec2>, PlacedObject)> {
         let (body, axis) = facing(self.bodies, from)?;
         let axis = axis.along_light(to)?;
-        let lines = source.spectrum.lines();
+        let lines: Vec<f64> = source.spectrum.lines().collect();
         let line = lines.get(lines.len() / 2).copied().and_then(Wavelength::from_nanometers)?;
         let centered = Centered::new(self.walls, self.origin, &axis, |medium| self.media[medium.place()].index(line));
         let [tip, foot] = [to, from].map(|point| Sight::new(axis, centered.as_ref(), point));

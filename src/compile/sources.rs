@@ -96,7 +96,7 @@ impl Ground<'_> {
             _ => (rays(&source.light, self.origin), None),
         };
         let starts: Vec<_> = rays.into_iter().map(|(p, d)| self.start(p, d)).collect();
-        let lines: Vec<_> = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometers).collect();
+        let lines: Vec<_> = source.spectrum.lines().filter_map(Wavelength::from_nanometers).collect();
         #[expect(clippy::cast_precision_loss, reason = "ray counts are far below 2^53")]
         let power = source.power / (starts.len() as f64 * lines.len() as f64);
         let power = match source.polarization {

@@ -93,18 +93,13 @@ pub(super) fn share(ray: &TracedRay, segment: &Segment) -> f64 {
 
 /// Path letters of a segment, from its source on.
 pub(super) fn letters(ray: &TracedRay, id: SegmentId) -> String {
-    let backward: Vec<char> = way(ray, id).filter_map(|segment| segment.via.letter()).collect();
+    let backward: Vec<char> = ray.ancestors(id).filter_map(|segment| segment.via.letter()).collect();
     backward.into_iter().rev().collect()
 }
 
 /// How many hits lie behind a segment.
 pub(super) fn generation(ray: &TracedRay, id: SegmentId) -> u32 {
-    u32::try_from(way(ray, id).skip(1).count()).unwrap_or(u32::MAX)
-}
-
-/// A segment and those before it, back to the source's.
-fn way(ray: &TracedRay, id: SegmentId) -> impl Iterator<Item = &Segment> {
-    std::iter::successors(ray.segments.get(id.index()), |segment| ray.segments.get(segment.parent?.index()))
+    u32::try_from(ray.ancestors(id).skip(1).count()).unwrap_or(u32::MAX)
 }
 
 /// Segments that are not drawn.
@@ -201,7 +196,7 @@ fn drawn<'a>(bundle: &[Branch<'a>], id: usize) -> Vec<Branch<'a>> {
         return parts;
     }
     let doubled = bundle.len() - parts.len();
-    parts.iter_mut().for_each(|part| part.lines -= doubled);
+    parts.iter_mut().for_each(|part| part.lines = part.lines.saturating_sub(doubled));
     fanned(parts, Fan { id, spread: spread(bundle, across, 0.5), blend: Blend::of(bundle) })
 }
 

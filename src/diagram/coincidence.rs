@@ -15,7 +15,8 @@ pub(super) fn groups<'a>(bundle: &[Branch<'a>], across: DVec2) -> Vec<Vec<Branch
     let mut cells: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
     for branch in bundle {
         let cell = cell(branch, across);
-        let nearby = (cell - 1..=cell + 1).filter_map(|cell| cells.get(&cell)).flatten().copied();
+        let nearby =
+            (cell.saturating_sub(1)..=cell.saturating_add(1)).filter_map(|cell| cells.get(&cell)).flatten().copied();
         match nearby.filter(|k| coincide(&groups[*k][0], branch)).min() {
             Some(k) => groups[k].push(*branch),
             None => {

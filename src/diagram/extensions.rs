@@ -121,11 +121,9 @@ struct Way<'a> {
 impl<'a> Way<'a> {
     /// `None` if the ray meets nothing.
     fn of(ray: &'a TracedRay) -> Option<Self> {
-        let mut strongest: Vec<Option<&Segment>> = vec![None; ray.segments.len()];
-        for child in &ray.segments {
-            let Some(known) = child.parent.and_then(|parent| strongest.get_mut(parent.index())) else { continue };
-            *known = known.filter(|known| known.power.total() > child.power.total()).or(Some(child));
-        }
+        let stronger = |a: &'a Segment, b: &'a Segment| if a.power.total() > b.power.total() { a } else { b };
+        let strongest = ray.children().into_iter().map(|children| children.into_iter().reduce(stronger));
+        let strongest: Vec<Option<&Segment>> = strongest.collect();
         let first = ray.segments.first();
         let segments: Vec<_> = std::iter::successors(first, |last| *strongest.get(last.id.index())?).collect();
         let letters = letters(ray, segments.last()?.id);

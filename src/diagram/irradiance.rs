@@ -33,6 +33,8 @@ const EXTENT: [f64; 2] = [70.0, 240.0];
 const LEAN: f64 = 0.02;
 const SIZE: f64 = 10.0;
 const TICK: f64 = 3.0;
+/// Letters of a name that are tried; no strip is so wide.
+const LONGEST: usize = 1000;
 
 /// The irradiance on the screens that get a curve.
 pub(super) fn screens(scene: &Scene, system: &OpticalSystem, tree: &RayTree) -> Vec<Irradiance> {
@@ -90,6 +92,9 @@ fn aligned<'a>(figure: &'a Figure<'a>, screen: &'a Irradiance) -> Option<Plot<'a
         return None;
     }
     let shown = ends.map(|y| screen.length * ((y - from.y) / across.y));
+    if !shown.iter().all(|position| position.is_finite()) {
+        return None;
+    }
     let plot = Plot { figure, screen, is_upright: true, shown, ends, area: area(figure, top, bottom), most: 0.0 };
     Some(plot.measured())
 }
@@ -224,7 +229,7 @@ impl Plot<'_> {
         }
         let letters = name.chars().count();
         let cut = |count: usize| text(&format!("{}…", name.chars().take(count).collect::<String>().trim_end()));
-        (0..letters).rev().map(cut).find(|text| text.width() <= room).unwrap_or_else(|| text(""))
+        (0..letters.min(LONGEST)).rev().map(cut).find(|text| text.width() <= room).unwrap_or_else(|| text(""))
     }
 
     /// The line of a round value across the plot, and its number, with its unit below it where values run up.

@@ -1,5 +1,6 @@
 /// Room for words above and below the scene of a figure, pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Margins {
     /// Title and caption, with what is free above them.
     pub top: f64,

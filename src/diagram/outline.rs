@@ -95,7 +95,7 @@ fn chords(frame: &Frame, curve: &Curve, halvings: u32, points: &mut Vec<DVec2>) 
     let larger = halvings == HALVINGS && curve.spans_more_than_half();
     let height = chord * chord / (8.0 * radius(frame, curve));
     let seen = Rect { min: a.min(b) - chord, max: a.max(b) + chord }.overlaps(&frame.area.grown(60.0));
-    if curve.is_straight() || halvings == 0 || (!larger && (height <= FLATNESS || !seen)) {
+    if curve.is_straight() || halvings == 0 || !chord.is_finite() || (!larger && (height <= FLATNESS || !seen)) {
         points.push(b);
         return;
     }

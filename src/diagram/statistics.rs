@@ -18,6 +18,7 @@ const MARKS: [&str; 12] = [
 
 /// What a figure shows and what it could spare.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Statistics {
     /// Segments that are drawn; spectral lines that coincide count each.
     pub segments_drawn: usize,

@@ -120,7 +120,7 @@ fn crossings(escaped: &Escaped<'_>, things: &Extent, aspect: f64) -> Vec<DVec2> 
 /// Whether two rays stand side by side in one source, or come from one point in two sources.
 fn neighbors(a: &TracedRay, b: &TracedRay) -> bool {
     let start = |ray: &TracedRay| ray.segments.first().map(|segment| segment.from);
-    if a.source == b.source { b.ray == a.ray + 1 } else { start(a) == start(b) }
+    if a.source == b.source { a.ray.checked_add(1) == Some(b.ray) } else { start(a) == start(b) }
 }
 
 /// A point a little beyond the crossing of two escaped segments.

@@ -112,7 +112,6 @@ fn last_ray(figure: &Figure<'_>, source: usize) -> Option<usize> {
 }
 
 fn is_behind_thin_lens(figure: &Figure<'_>, branch: &Branch<'_>) -> bool {
-    let before = |parent: &crate::trace::Segment| branch.ray.segments.get(parent.parent?.index());
-    let ancestors = std::iter::successors(before(branch.segment), |parent| before(parent));
+    let ancestors = branch.ray.ancestors(branch.segment.id).skip(1);
     ancestors.filter_map(|parent| parent.hit).any(|hit| is_thin_lens(figure, &hit))
 }

@@ -7,6 +7,7 @@ use ttf_parser::{Face, OutlineBuilder};
 
 /// A face of the one family that figures use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Font {
     /// Upright.
     #[default]
@@ -19,6 +20,7 @@ pub enum Font {
 
 /// One step of a glyph's outline, in ems with y down and the baseline at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum GlyphStep {
     /// Start a new contour.
     MoveTo(DVec2),

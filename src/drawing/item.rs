@@ -1,9 +1,10 @@
 use std::collections::BTreeSet;
 
-use crate::drawing::{Color, Fill, Lines, Path, Rect, Stroke, Text};
+use crate::drawing::{Color, Fill, Items, Lines, Path, Rect, Stroke, Text};
 
 /// A whole figure.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Drawing {
     /// Width and height in pixels.
     pub size: [u32; 2],
@@ -19,6 +20,7 @@ pub struct Drawing {
 
 /// One thing that is drawn.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Item {
     /// A path.
     Shape(Shape),
@@ -32,6 +34,7 @@ pub enum Item {
 
 /// A path with its style.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Shape {
     /// Its lines.
     pub path: Path,
@@ -41,18 +44,21 @@ pub struct Shape {
     pub stroke: Option<Stroke>,
     /// Class names, by spaces; may be empty.
     pub class: String,
-    /// Attributes such as `("data-body", "prism")`.
+    /// Attributes such as `("data-body", "prism")`. An SVG has those whose names begin with `data-` and go on with letters and
+    /// dashes, each name once.
     pub data: Vec<(&'static str, String)>,
 }
 
 /// Things that belong together, such as a layer.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Group {
     /// A name that no other group of the figure has, such as `rays-0`; empty for none.
     pub name: String,
     /// Class names, by spaces; may be empty.
     pub class: String,
-    /// Attributes such as `("data-body", "prism")`.
+    /// Attributes such as `("data-body", "prism")`. An SVG has those whose names begin with `data-` and go on with letters and
+    /// dashes, each name once.
     pub data: Vec<(&'static str, String)>,
     /// Nothing is drawn outside of this rectangle.
     pub clip: Option<Rect>,
@@ -61,7 +67,7 @@ pub struct Group {
     /// The step of a build-up that adds it; `None` is there from the start.
     pub step: Option<u32>,
     /// What is drawn, from back to front.
-    pub items: Vec<Item>,
+    pub items: Items,
 }
 
 /// How a group is laid on what lies behind it.
@@ -98,7 +104,20 @@ impl Group {
     /// A layer of things.
     #[must_use]
     pub fn layer(class: &str, items: Vec<Item>) -> Self {
-        Self { class: class.to_owned(), items, ..Self::default() }
+        Self { class: class.to_owned(), items: items.into(), ..Self::default() }
+    }
+
+    /// The same with a name.
+    #[must_use]
+    pub fn named(self, name: &str) -> Self {
+        Self { name: name.to_owned(), ..self }
+    }
+
+    /// The same with an attribute more.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: String) -> Self {
+        self.data.push((name, value));
+        self
     }
 
     /// The same, laid on what lies behind as a whole.

@@ -4,6 +4,7 @@ use crate::drawing::{Stroke, hundredths};
 
 /// Very many straight lines of one style, drawn as one: where they cross, nothing is painted twice.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Lines {
     /// Both ends of every line as x, y, x, y, hundredths of a pixel.
     pub ends: Vec<[i32; 4]>,

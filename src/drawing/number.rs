@@ -18,6 +18,11 @@ pub fn hundredths(value: f64) -> i32 {
     rounded
 }
 
+/// A width or another size fit for output: at least 0 and at most 10⁶; NaN becomes 0.
+pub(crate) fn extent(value: f64) -> f64 {
+    if value.is_nan() { 0.0 } else { value.clamp(0.0, FAR) }
+}
+
 /// The shortest decimal form that reads back to the same number; exponents below 10⁻⁵ and from 10¹⁶ on.
 #[must_use]
 pub fn shortest(value: f64) -> String {

@@ -55,8 +55,8 @@ fn placed(item: &Item, by: DVec2, panel: &str) -> Item {
         Item::Group(group) => {
             let name = if group.name.is_empty() { String::new() } else { format!("{panel}-{}", group.name) };
             let clip = group.clip.map(|clip| clip.moved(by));
-            let items = group.items.iter().map(|item| placed(item, by, panel)).collect();
-            Group { name, clip, items, ..group.clone() }.into()
+            let items: Vec<Item> = group.items.iter().map(|item| placed(item, by, panel)).collect();
+            Group { name, clip, items: items.into(), ..group.clone() }.into()
         }
     }
 }
@@ -85,10 +85,10 @@ mod tests {
         let both = Drawing::side_by_side(&[panel(1), panel(1)], 4);
         assert_eq!((both.size, both.background, both.title.as_str()), ([44, 30], Some(Color::hex(1)), "a | a"));
         let [Item::Group(first), Item::Group(second)] = both.items.as_slice() else { panic!("{both:?}") };
-        let [Item::Group(layer)] = second.items.as_slice() else { panic!("{second:?}") };
+        let [Item::Group(layer)] = &second.items[..] else { panic!("{second:?}") };
         assert_eq!((second.name.as_str(), layer.name.as_str()), ("panel-2", "panel-2-rays-0"));
         assert_eq!(layer.clip.unwrap().min, DVec2::new(24.0, 0.0));
-        let [Item::Lines(lines), Item::Shape(shape), Item::Text(text)] = layer.items.as_slice() else { panic!() };
+        let [Item::Lines(lines), Item::Shape(shape), Item::Text(text)] = &layer.items[..] else { panic!() };
         assert_eq!(lines.ends, [[2500, 200, 2750, 400]]);
         let mut arc = Path::line(DVec2::new(24.0, 0.0), DVec2::new(29.0, 6.0));
         arc.arc_to(3.0, false, true, DVec2::new(31.0, 8.0));

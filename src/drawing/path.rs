@@ -4,6 +4,7 @@ use crate::drawing::pixel;
 
 /// One step of a [`Path`], in pixels with y down.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum PathStep {
     /// Start a new piece.
     MoveTo(DVec2),

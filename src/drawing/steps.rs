@@ -36,7 +36,7 @@ fn kept(items: &[Item], step: u32) -> Vec<Item> {
             let items = kept(&group.items, step);
             // What held nothing but later steps goes with them.
             let stays = !items.is_empty() || group.items.is_empty();
-            stays.then(|| Group { items, ..group.clone() }.into())
+            stays.then(|| Group { items: items.into(), ..group.clone() }.into())
         }
         other => Some(other.clone()),
     };
@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn a_figure_grows_and_ends_whole() {
-        let group = |step, items| Item::from(Group { step, items, ..Group::default() });
+        let group = |step, items: Vec<Item>| Item::from(Group { step, items: items.into(), ..Group::default() });
         let late = group(None, vec![group(Some(7), Vec::new())]);
         let items = vec![group(Some(2), vec![group(Some(4), Vec::new()), group(None, Vec::new())]), late];
         let whole = Drawing { items, ..Drawing::default() };

@@ -2,6 +2,7 @@ use crate::drawing::Color;
 
 /// How a line is drawn.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Stroke {
     /// Color.
     pub color: Color,
@@ -17,6 +18,7 @@ pub struct Stroke {
 
 /// How the ends of a line look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Cap {
     /// Cut at the end point.
     Butt,
@@ -26,6 +28,7 @@ pub enum Cap {
 
 /// How an area is filled; the rule is nonzero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Fill {
     /// Color.
     pub color: Color,

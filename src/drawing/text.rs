@@ -1,6 +1,6 @@
 use glam::DVec2;
 
-use crate::drawing::{Color, Font, Rect, pixel};
+use crate::drawing::{Color, Font, Rect, extent, pixel};
 
 /// Size of a subscript as a share of the text's.
 const SUBSCRIPT_SIZE: f64 = 0.72;
@@ -9,6 +9,7 @@ const SUBSCRIPT_DROP: f64 = 0.2;
 
 /// One line of text.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Text {
     /// The anchor's place on the baseline, pixels.
     pub at: DVec2,
@@ -37,6 +38,7 @@ pub struct Span {
 
 /// Where a span stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Script {
     /// On the baseline.
     Normal,
@@ -46,6 +48,7 @@ pub enum Script {
 
 /// Which end of a line stands at its anchor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Anchor {
     /// The left end.
     Start,
@@ -57,6 +60,7 @@ pub enum Anchor {
 
 /// A character in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Glyph {
     /// The character.
     pub character: char,
@@ -116,8 +120,8 @@ impl Text {
     /// The rectangle that the line takes, from above its capitals to below its descenders.
     #[must_use]
     pub fn bounds(&self) -> Rect {
-        let left = DVec2::new(self.left(), self.at.y);
-        let size = self.size;
+        let left = DVec2::new(self.left(), pixel(self.at.y));
+        let size = extent(self.size);
         Rect { min: left - DVec2::new(0.0, 0.78 * size), max: left + DVec2::new(self.width(), 0.24 * size) }
     }
 
@@ -129,7 +133,7 @@ impl Text {
         for span in &self.spans {
             let size = self.span_size(span);
             for character in span.text.chars() {
-                glyphs.push(Glyph { character, at: DVec2::new(x, self.at.y + self.drop(span)), size });
+                glyphs.push(Glyph { character, at: DVec2::new(x, pixel(self.at.y) + self.drop(span)), size });
                 x += self.font.advance(character) * size;
             }
         }
@@ -140,8 +144,8 @@ impl Text {
     #[must_use]
     pub fn span_size(&self, span: &Span) -> f64 {
         match span.script {
-            Script::Normal => self.size,
-            Script::Subscript => self.size * SUBSCRIPT_SIZE,
+            Script::Normal => extent(self.size),
+            Script::Subscript => extent(self.size) * SUBSCRIPT_SIZE,
         }
     }
 
@@ -150,15 +154,16 @@ impl Text {
     pub fn drop(&self, span: &Span) -> f64 {
         match span.script {
             Script::Normal => 0.0,
-            Script::Subscript => self.size * SUBSCRIPT_DROP,
+            Script::Subscript => extent(self.size) * SUBSCRIPT_DROP,
         }
     }
 
     fn left(&self) -> f64 {
+        let x = pixel(self.at.x);
         match self.anchor {
-            Anchor::Start => self.at.x,
-            Anchor::Middle => self.at.x - 0.5 * self.width(),
-            Anchor::End => self.at.x - self.width(),
+            Anchor::Start => x,
+            Anchor::Middle => x - 0.5 * self.width(),
+            Anchor::End => x - self.width(),
         }
     }
 }

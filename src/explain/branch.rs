@@ -11,6 +11,7 @@ const LONGEST_NAME: usize = 64;
 
 /// Why an address leads to no branch.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct UnknownAddress {
     /// The address asked for.
     pub address: String,

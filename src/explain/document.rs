@@ -10,6 +10,7 @@ use crate::trace::{Ending, Segment, Via};
 
 /// What of an explanation is written. The numbers of its questions are the same in each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Part {
     /// What is given, the laws, the numbers put in, and the results.
     #[default]

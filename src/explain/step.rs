@@ -12,6 +12,7 @@ use crate::trace::{Hit, Segment, SegmentId, TracedRay, Via};
 
 /// A branch with all its ancestors, hit by hit.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Explanation {
     /// Title of the scene; may be empty.
     pub title: String,
@@ -43,6 +44,7 @@ pub struct Explanation {
 
 /// A hit of the path, in the letters of the [module](super).
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Step {
     /// The segment that arrives.
     pub segment: Segment,
@@ -88,8 +90,7 @@ pub fn explain(scene: &Scene, system: &OpticalSystem, ray: &TracedRay, branch: S
 
 /// The segments from the source to a branch.
 fn path(ray: &TracedRay, branch: SegmentId) -> Vec<&Segment> {
-    let ancestors = |segment: &&Segment| ray.segments.get(segment.parent?.index());
-    let mut path: Vec<_> = std::iter::successors(ray.segments.get(branch.index()), ancestors).collect();
+    let mut path: Vec<_> = ray.ancestors(branch).collect();
     path.reverse();
     path
 }
@@ -148,7 +149,7 @@ impl Explanation {
     #[must_use]
     pub fn address_behind(&self, hits: usize) -> &str {
         // One letter a hit, and all of ASCII.
-        self.address.get(..self.ray.len() + 1 + hits).unwrap_or(&self.address)
+        self.address.get(..(self.ray.len() + 1).saturating_add(hits)).unwrap_or(&self.address)
     }
 
     /// The deviation δ of a direction from the ray's at its source, degrees counter-clockwise, above −180 to 180.

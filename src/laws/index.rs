@@ -7,6 +7,7 @@ pub const SPEED_OF_LIGHT: f64 = 299_792_458.0;
 
 /// Why a number is no refractive index, or no speed of light in a medium.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum IndexError {
     /// The index is NaN or infinite.
     NotFinite(f64),

@@ -27,7 +27,9 @@ impl Shares {
     /// Constants `kr` and `kt`, each at least 0 and together at most 1, alike for both polarizations; the rest stays.
     #[must_use]
     pub fn fixed(kr: f64, kt: f64) -> Self {
-        let absorptance = (1.0 - (kr + kt)).max(0.0);
+        // Unlike `max`, which would make 0 of NaN.
+        let rest = 1.0 - (kr + kt);
+        let absorptance = if rest < 0.0 { 0.0 } else { rest };
         Self { reflectance: Power::both(kr), transmittance: Power::both(kt), absorptance }
     }
 

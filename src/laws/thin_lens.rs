@@ -11,7 +11,7 @@ use super::{Incidence, relative_index};
 /// `height`, positive converging, not 0. The slopes obey n_t tan θ_t = n_i tan θ_i − n h/f with n the mean of the two
 /// indices: in one medium that is tan θ_t = tan θ_i − h/f, and between two media light that turns back returns. The
 /// center ray between equal indices returns `v` itself; so does the limit f = ∞. A ray along the lens (C1 → 0) has no
-/// slope and goes on along it.
+/// slope and goes on along it. Where h/f overflows, the light leaves along the lens. NaN gives NaN.
 ///
 /// # Source
 /// Hecht, "Optics", 4th ed., section 5.2.3 (1/f = 1/s_o + 1/s_i) and, for the ray-transfer form, section 6.2.1, here with
@@ -27,7 +27,13 @@ pub fn thin_lens(v: DVec2, n: DVec2, height: f64, focal_length: f64, n_i: f64, n
     // Both components times C1, so that nothing is divided by it.
     let eta = relative_index(n_i, n_t);
     let along = sin / eta - cos * bend * (0.5 * (1.0 + 1.0 / eta));
-    (along * tangent - cos * n).normalize_or(v)
+    match (along * tangent - cos * n).try_normalize() {
+        Some(direction) => direction,
+        None if cos == 0.0 => v,
+        // Too steep for a number.
+        None if along.abs() > 1.0 => along.signum() * tangent,
+        None => DVec2::NAN,
+    }
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::Wavelength;
 
 /// A spectral line with the letter that optics gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SpectralLine {
     /// The letter, as in n_d; `HeNe` for the laser.
     pub letter: &'static str,

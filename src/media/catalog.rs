@@ -13,6 +13,7 @@ use crate::light::Wavelength;
 
 /// A medium of the catalog.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Entry {
     /// Its name, as in `Catalog("N-BK7")`.
     pub name: &'static str,

@@ -2,6 +2,7 @@ use std::fmt;
 
 /// Why a medium cannot be used, or not at a wavelength.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum MediumError {
     /// A dispersion formula without coefficients.
     NoCoefficients,

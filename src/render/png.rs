@@ -6,7 +6,7 @@ use std::rc::Rc;
 use glam::DVec2;
 use tiny_skia::{BlendMode, FillRule, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, Transform};
 
-use crate::drawing::{Cap, Color, Drawing, Group, Item, Lines, Path, Rect, Shape, Text, Whole};
+use crate::drawing::{Cap, Color, Drawing, Group, Item, Lines, Path, Rect, Shape, Text, Whole, extent};
 use crate::render::encode::encode;
 use crate::render::mix;
 use crate::render::samples::Samples;
@@ -17,6 +17,7 @@ const MAX_PIXELS: f64 = 1.5e8;
 
 /// Why a figure could not become a picture.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum RenderError {
     /// The scale is not a number above 0.
     Scale(f32),
@@ -115,7 +116,7 @@ impl Canvas {
         let Some(([x, y], mut layer)) = self.layer(&group.items) else { return };
         layer.mode = if adds_up { BlendMode::Screen } else { BlendMode::SourceOver };
         layer.items(&group.items, None);
-        let paint = PixmapPaint { opacity: single(DVec2::splat(opacity.clamp(0.0, 1.0))).0, ..PixmapPaint::default() };
+        let paint = PixmapPaint { opacity: single(DVec2::splat(extent(opacity).min(1.0))).0, ..PixmapPaint::default() };
         self.pixels.draw_pixmap(x, y, layer.pixels.as_ref(), &paint, Transform::identity(), mask);
     }
 
@@ -169,7 +170,7 @@ impl Canvas {
         let (scale, move_by) = (f64::from(sx), DVec2::new(f64::from(tx), f64::from(ty)));
         for [ax, ay, bx, by] in &lines.ends {
             let [a, b] = [place(*ax, *ay), place(*bx, *by)].map(|p| p * scale + move_by);
-            samples.cover(a, b, 0.5 * lines.stroke.width * scale);
+            samples.cover(a, b, 0.5 * extent(lines.stroke.width) * scale);
         }
         let paint = mix::Paint::new(lines.stroke.color.0, alpha(lines.stroke.opacity), self.mode);
         let masked = mask.map(Mask::data);
@@ -232,14 +233,14 @@ fn bounds(item: &Item) -> Option<Rect> {
             let bounds = skia_path(&shape.path)?.bounds();
             let point = |x: f32, y: f32| DVec2::new(f64::from(x), f64::from(y));
             let rect = Rect { min: point(bounds.left(), bounds.top()), max: point(bounds.right(), bounds.bottom()) };
-            Some(rect.grown(shape.stroke.as_ref().map_or(0.0, |stroke| stroke.width)))
+            Some(rect.grown(shape.stroke.as_ref().map_or(0.0, |stroke| extent(stroke.width))))
         }
         Item::Lines(lines) => {
             let points = lines.ends.iter().flat_map(|[ax, ay, bx, by]| [place(*ax, *ay), place(*bx, *by)]);
             let point = |p: DVec2| Rect { min: p, max: p };
-            points.map(point).reduce(union).map(|rect| rect.grown(lines.stroke.width))
+            points.map(point).reduce(union).map(|rect| rect.grown(extent(lines.stroke.width)))
         }
-        Item::Text(text) => Some(text.bounds().grown(text.size)),
+        Item::Text(text) => Some(text.bounds().grown(extent(text.size))),
         Item::Group(group) => group.items.iter().filter_map(bounds).reduce(union),
     }
 }

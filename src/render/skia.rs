@@ -3,7 +3,7 @@
 use glam::DVec2;
 use tiny_skia::{LineCap, LineJoin, PathBuilder, StrokeDash};
 
-use crate::drawing::{Cap, Glyph, GlyphStep, Path, PathStep, Stroke};
+use crate::drawing::{Cap, Glyph, GlyphStep, Path, PathStep, Stroke, extent};
 use crate::render::arcs::cubics;
 
 pub(super) fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &Glyph) {
@@ -60,9 +60,9 @@ fn cubic_to(pen: &mut PathBuilder, curve: [DVec2; 3]) {
 }
 
 pub(super) fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
-    let dash: Vec<f32> = stroke.dash.iter().map(|length| single(DVec2::splat(*length)).0).collect();
+    let dash: Vec<f32> = stroke.dash.iter().map(|length| single(DVec2::splat(extent(*length))).0).collect();
     tiny_skia::Stroke {
-        width: single(DVec2::splat(stroke.width)).0,
+        width: single(DVec2::splat(extent(stroke.width))).0,
         line_cap: match stroke.cap {
             Cap::Butt => LineCap::Butt,
             Cap::Round => LineCap::Round,

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use crate::drawing::{Anchor, Cap, Drawing, Fill, Font, Group, Item, Lines, Path, PathStep, Rect, Shape, Stroke, Text};
-use crate::drawing::{GlyphStep, Whole, hundredths, pixel, shortest};
+use crate::drawing::{GlyphStep, Whole, extent, hundredths, pixel, shortest};
 use crate::render::decimal::{push_line, push_point};
 use crate::render::fingerprint::fingerprint;
 
@@ -79,8 +79,8 @@ fn write_group(out: &mut String, group: &Group, pen: Pen) {
     }
     attributes(out, &group.class, &group.data);
     let adds_up = group.whole.is_some_and(|whole| whole.adds_up);
-    if let Some(Whole { opacity, .. }) = group.whole.filter(|whole| whole.opacity < 1.0) {
-        push(out, format_args!(" opacity=\"{}\"", pixel(opacity)));
+    if let Some(Whole { opacity, .. }) = group.whole {
+        write_opacity(out, "opacity", opacity);
     }
     if adds_up {
         out.push_str(" style=\"isolation:isolate\"");
@@ -134,18 +134,21 @@ fn write_fill(out: &mut String, fill: Option<Fill>) {
         return;
     };
     push(out, format_args!(" fill=\"{}\"", color.css()));
-    if opacity < 1.0 {
-        push(out, format_args!(" fill-opacity=\"{}\"", pixel(opacity)));
+    write_opacity(out, "fill-opacity", opacity);
+}
+
+/// Nothing where it is solid.
+fn write_opacity(out: &mut String, name: &str, opacity: f64) {
+    if opacity < 1.0 || opacity.is_nan() {
+        push(out, format_args!(" {name}=\"{}\"", pixel(opacity.max(0.0))));
     }
 }
 
 fn write_stroke(out: &mut String, stroke: &Stroke) {
-    push(out, format_args!(" stroke=\"{}\" stroke-width=\"{}\"", stroke.color.css(), pixel(stroke.width)));
-    if stroke.opacity < 1.0 {
-        push(out, format_args!(" stroke-opacity=\"{}\"", pixel(stroke.opacity)));
-    }
+    push(out, format_args!(" stroke=\"{}\" stroke-width=\"{}\"", stroke.color.css(), pixel(extent(stroke.width))));
+    write_opacity(out, "stroke-opacity", stroke.opacity);
     if !stroke.dash.is_empty() {
-        let dash: Vec<String> = stroke.dash.iter().map(|length| shortest(pixel(*length))).collect();
+        let dash: Vec<String> = stroke.dash.iter().map(|length| shortest(pixel(extent(*length)))).collect();
         push(out, format_args!(" stroke-dasharray=\"{}\"", dash.join(" ")));
     }
     if stroke.cap == Cap::Round {
@@ -170,9 +173,9 @@ fn write_path(out: &mut String, path: &Path) {
 }
 
 fn write_text(out: &mut String, text: &Text) {
-    push(out, format_args!("<text x=\"{}\" y=\"{}\"", text.at.x, text.at.y));
+    push(out, format_args!("<text x=\"{}\" y=\"{}\"", pixel(text.at.x), pixel(text.at.y)));
     attributes(out, &text.class, &[]);
-    push(out, format_args!(" font-size=\"{}\" fill=\"{}\"", pixel(text.size), text.color.css()));
+    push(out, format_args!(" font-size=\"{}\" fill=\"{}\"", pixel(extent(text.size)), text.color.css()));
     match text.anchor {
         Anchor::Start => {}
         Anchor::Middle => out.push_str(" text-anchor=\"middle\""),
@@ -237,7 +240,17 @@ fn attributes(out: &mut String, class: &str, data: &[(&'static str, String)]) {
     if !class.is_empty() {
         push(out, format_args!(" class=\"{}\"", escape(class)));
     }
-    for (name, value) in data {
+    let is_name = |name: &str| {
+        name.strip_prefix("data-").is_some_and(|rest| {
+            rest.starts_with(|c: char| c.is_ascii_lowercase())
+                && rest.chars().all(|c| c.is_ascii_lowercase() || c == '-')
+        })
+    };
+    let is_first = |place: usize, name: &str| data[..place].iter().all(|(other, _)| *other != name);
+    for (place, (name, value)) in data.iter().enumerate().filter(|(_, (name, _))| is_name(name)) {
+        if !is_first(place, name) {
+            continue;
+        }
         push(out, format_args!(" {name}=\"{}\"", escape(value)));
     }
 }

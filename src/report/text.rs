@@ -8,7 +8,7 @@ use glam::DVec2;
 use super::number::{decimal_exponent, fixed, share, significant};
 use super::{body_name, in_memory};
 use crate::system::OpticalSystem;
-use crate::trace::{Ending, Hit, PowerBalance, RayTree, ScreenRecord, Segment, Summary, Trace, TracedRay};
+use crate::trace::{Ending, Hit, PowerBalance, RayTree, ScreenRecord, Segment, SegmentId, Summary, Trace, TracedRay};
 
 /// Decimals of directions and indices: finer than any reading, coarser than rounding.
 const DECIMALS: usize = 6;
@@ -52,6 +52,8 @@ struct Report<'a> {
 
 /// The cells of a segment's line, but for what it met, which comes last and needs no width.
 const COLUMNS: usize = 7;
+/// Letters of a path that are shown, and steps of indentation.
+const LONGEST: usize = 100;
 
 impl Report<'_> {
     fn ray(&self, out: &mut impl Write, ray: &TracedRay) -> io::Result<()> {
@@ -76,7 +78,7 @@ impl Report<'_> {
     }
 
     fn cells(&self, ray: &TracedRay, segment: &Segment, depth: usize) -> [String; COLUMNS] {
-        let address = ray.address(segment.id);
+        let address = shortened(ray, segment.id);
         let to = match (segment.to, segment.ending) {
             (Some(to), _) => self.point(to),
             (None, Ending::Escaped) => "∞".into(),
@@ -84,7 +86,7 @@ impl Report<'_> {
         };
         let (x, y) = (fixed(segment.direction.x, DECIMALS), fixed(segment.direction.y, DECIMALS));
         [
-            format!("{:1$}{address}", "", 2 * depth),
+            "  ".repeat(depth.min(LONGEST)) + &address,
             segment.via.word().into(),
             format!("{} → {to}", self.point(segment.from)),
             format!("along ({x}, {y})"),
@@ -133,11 +135,20 @@ impl Report<'_> {
                 let Some(hit) = segment.hit.filter(|hit| hit.body == screen.body) else { continue };
                 let position = fixed(hit.position.unwrap_or(0.0), self.decimals);
                 let power = share(segment.power.total(), ray.power);
-                writeln!(out, "  {}  position {position}  power {power}", ray.address(segment.id))?;
+                writeln!(out, "  {}  position {position}  power {power}", shortened(ray, segment.id))?;
             }
         }
         Ok(())
     }
+}
+
+/// The address of a branch, of whose path at most the last letters are shown: each segment has one, and they grow as the path.
+fn shortened(ray: &TracedRay, id: SegmentId) -> String {
+    let letters = ray.ancestors(id).filter_map(|segment| segment.via.letter());
+    let backward: Vec<char> = letters.take(LONGEST + 1).collect();
+    let gap = if backward.len() > LONGEST { "…" } else { "" };
+    let path: String = backward.into_iter().take(LONGEST).rev().collect();
+    format!("{}:{gap}{path}", ray.name())
 }
 
 /// The angles from the normal at a hit: incidence, and transmission where something can be transmitted.

@@ -6,6 +6,7 @@ use crate::scene::{Body, Shape, Substance, Surface};
 
 /// How a body makes images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Imaging {
     /// A lens or a group of lenses.
     Lens,
@@ -19,6 +20,7 @@ pub enum Imaging {
 
 /// The optical axis of a body, in scene coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct OpticalAxis {
     /// How the body makes images.
     pub imaging: Imaging,

@@ -4,6 +4,7 @@ use crate::scene::Medium;
 
 /// A shape in its place, and what it does to light.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Body {
     /// Unique name, by which results refer to the body.
     pub name: Option<String>,
@@ -21,8 +22,30 @@ pub struct Body {
     pub substance: Substance,
 }
 
+impl Body {
+    /// A body at the origin, without name and label, in the colors of the figure's theme.
+    #[must_use]
+    pub fn new(shape: Shape, substance: impl Into<Substance>) -> Self {
+        let substance = substance.into();
+        Self { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance }
+    }
+
+    /// The same, turned by `rotate` degrees about the shape's origin, which then stands `at` a place.
+    #[must_use]
+    pub fn placed(self, at: DVec2, rotate: f64) -> Self {
+        Self { at, rotate, ..self }
+    }
+
+    /// The same with a name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: Some(name.into()), ..self }
+    }
+}
+
 /// What a body is made of.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Substance {
     /// A closed outline filled with a medium.
     Medium(Medium),
@@ -32,8 +55,21 @@ pub enum Substance {
     Elements,
 }
 
+impl From<Medium> for Substance {
+    fn from(medium: Medium) -> Self {
+        Self::Medium(medium)
+    }
+}
+
+impl From<Surface> for Substance {
+    fn from(surface: Surface) -> Self {
+        Self::Surface(surface)
+    }
+}
+
 /// What a boundary does to a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Surface {
     /// Reflects everything.
     Mirror,
@@ -57,6 +93,7 @@ pub enum Surface {
 
 /// An outline about its own origin, lengths in scene units.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Shape {
     /// Simple polygon by its vertices, in either orientation.
     Polygon(Vec<DVec2>),
@@ -148,6 +185,7 @@ pub enum Shape {
 
 /// One step of a [`Shape::Outline`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum PathStep {
     /// Straight to a point.
     LineTo(DVec2),
@@ -162,6 +200,7 @@ pub enum PathStep {
 
 /// One surface of a [`Shape::LensGroup`].
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Element {
     /// Radius of curvature, positive when the center lies to the right, infinite for a plane.
     pub radius: f64,
@@ -169,4 +208,12 @@ pub struct Element {
     pub thickness: Option<f64>,
     /// Medium that follows the surface; `None` on the last.
     pub medium: Option<Medium>,
+}
+
+impl Element {
+    /// A surface, how far the next one stands behind it, and what is between; `None` on the last.
+    #[must_use]
+    pub fn new(radius: f64, thickness: Option<f64>, medium: Option<Medium>) -> Self {
+        Self { radius, thickness, medium }
+    }
 }

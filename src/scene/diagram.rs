@@ -2,6 +2,7 @@ use glam::DVec2;
 
 /// What the figure shows and how.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DiagramSettings {
     /// Width and height in pixels, SVG user units.
     pub size: [u32; 2],
@@ -75,6 +76,7 @@ impl Default for DiagramSettings {
 
 /// What part of the plane a figure shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum View {
     /// Bodies, sources and the interesting part of the rays, with a margin.
     Auto,
@@ -84,6 +86,7 @@ pub enum View {
 
 /// Colors of ground and ink.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Theme {
     /// White ground.
     Light,
@@ -95,6 +98,7 @@ pub enum Theme {
 
 /// What a ray's color tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum RayColor {
     /// The theme's ray color if all light is one line, else as [`RayColor::Wavelength`].
     Auto,

@@ -4,6 +4,7 @@ use crate::scene::Problem;
 
 /// A transparent, isotropic, lossless medium, by what its refractive index is computed from.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Medium {
     /// The same index n ≥ 1 at every wavelength.
     Index(f64),

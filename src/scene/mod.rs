@@ -42,6 +42,7 @@ pub use tracing::{SecondaryRays, TraceSettings};
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/figures/scene.svg"))]
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Scene {
     /// Heading of the figure; may be empty.
     pub title: String,
@@ -63,11 +64,28 @@ pub struct Scene {
 
 /// Words at a place of the figure.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Note {
     /// Where the words stand, in scene units.
     pub at: DVec2,
     /// The words.
     pub text: String,
+}
+
+impl Note {
+    /// Words at a place.
+    #[must_use]
+    pub fn new(at: DVec2, text: impl Into<String>) -> Self {
+        Self { at, text: text.into() }
+    }
+}
+
+impl Scene {
+    /// Bodies and sources in vacuum; the rest by default.
+    #[must_use]
+    pub fn new(bodies: Vec<Body>, sources: Vec<Source>) -> Self {
+        Self { bodies, sources, ..Self::default() }
+    }
 }
 
 impl Default for Scene {

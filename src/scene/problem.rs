@@ -5,6 +5,7 @@ use crate::scene::render_problems;
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Severity {
     /// The scene cannot be used.
     Error,
@@ -14,6 +15,7 @@ pub enum Severity {
 
 /// Something wrong in a scene: where, what, and what would be right.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Problem {
     /// How bad it is.
     pub severity: Severity,

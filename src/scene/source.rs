@@ -2,6 +2,7 @@ use glam::DVec2;
 
 /// A light source: where its rays start, their lines, power and polarization.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Source {
     /// Unique name.
     pub name: Option<String>,
@@ -17,8 +18,18 @@ pub struct Source {
     pub polarization: Polarization,
 }
 
+impl Source {
+    /// Unpolarized light of the helium d line and power 1, without name and color.
+    #[must_use]
+    pub fn new(light: Light) -> Self {
+        let (spectrum, polarization) = (Spectrum::default(), Polarization::default());
+        Self { name: None, color: None, light, spectrum, power: 1.0, polarization }
+    }
+}
+
 /// Where the rays of a source start and where they head.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Light {
     /// One ray.
     Ray {
@@ -67,6 +78,7 @@ pub enum Light {
 
 /// Where a ray heads.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Direction {
     /// Degrees counter-clockwise from +x.
     Angle(f64),
@@ -76,6 +88,7 @@ pub enum Direction {
 
 /// Spectral lines of a source, vacuum wavelengths in nanometers.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Spectrum {
     /// One line.
     Line(f64),
@@ -90,6 +103,7 @@ pub enum Spectrum {
 
 /// How power is shared between the polarizations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Polarization {
     /// Half s, half p.
     #[default]
@@ -109,16 +123,14 @@ impl Default for Spectrum {
 
 impl Spectrum {
     /// The lines in order, in nanometers.
-    #[must_use]
-    pub fn lines(&self) -> Vec<f64> {
-        match self {
-            Self::Line(nm) => vec![*nm],
-            Self::Lines(lines) => lines.clone(),
-            Self::White { samples: 1 } => vec![560.0],
-            Self::White { samples } => {
-                let last = f64::from(samples.saturating_sub(1));
-                (0..*samples).map(|k| 420.0 + 280.0 * (f64::from(k) / last)).collect()
-            }
-        }
+    pub fn lines(&self) -> impl Iterator<Item = f64> {
+        let (given, samples) = match self {
+            Self::Line(nm) => (std::slice::from_ref(nm), 0),
+            Self::Lines(lines) => (lines.as_slice(), 0),
+            Self::White { samples: 1 } => ([560.0].as_slice(), 0),
+            Self::White { samples } => ([].as_slice(), *samples),
+        };
+        let last = f64::from(samples.saturating_sub(1));
+        given.iter().copied().chain((0..samples).map(move |k| 420.0 + 280.0 * (f64::from(k) / last)))
     }
 }

@@ -1,5 +1,6 @@
 /// How far rays are followed, and what their secondary rays carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TraceSettings {
     /// How a hit shares power between reflected and transmitted ray.
     pub secondary_rays: SecondaryRays,
@@ -19,6 +20,7 @@ impl Default for TraceSettings {
 
 /// How a hit on the face between two media shares power; [`Shares`](crate::laws::Shares) are what comes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum SecondaryRays {
     /// The Fresnel equations, s and p apart.
     Fresnel,

@@ -21,6 +21,7 @@ pub struct VertexId(pub(crate) u32);
 // What a search looks at comes first, in one line of the processor's cache.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
+#[non_exhaustive]
 pub struct Interface {
     /// Where it runs, relative to the system's origin.
     pub curve: Curve,
@@ -55,6 +56,7 @@ pub(crate) fn rounding<'a>(interfaces: impl IntoIterator<Item = &'a Interface>, 
 
 /// What an interface does to a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Action {
     /// Refracts and reflects.
     Refract,

@@ -91,10 +91,11 @@ impl OpticalSystem {
         }
     }
 
-    /// Refractive index of a medium at a vacuum wavelength, at least 1.
+    /// Refractive index of a medium at a vacuum wavelength, at least 1 at those of the scene's light; NaN for a medium that only
+    /// another system has.
     #[must_use]
     pub fn index(&self, medium: MediumId, wavelength: Wavelength) -> f64 {
-        self.media[medium.place()].index(wavelength)
+        self.media.get(medium.place()).map_or(f64::NAN, |medium| medium.index(wavelength))
     }
 
     /// Every wavelength that some source emits, ascending, each once.

@@ -7,6 +7,7 @@ use crate::system::MediumId;
 
 /// A body where it stands, in scene coordinates.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct PlacedBody {
     /// Its name, or `#k` for the k-th from 0.
     pub name: String,
@@ -16,6 +17,7 @@ pub struct PlacedBody {
 
 /// One connected line of a body.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Outline {
     /// Its curves, each starting where the one before ends, in the order written.
     pub curves: Vec<Curve>,
@@ -27,6 +29,7 @@ pub struct Outline {
 
 /// A source with its rays laid out.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct PlacedSource {
     /// Starts of its rays, in order.
     pub starts: Vec<RayStart>,
@@ -40,6 +43,7 @@ pub struct PlacedSource {
 
 /// An object arrow, and what finds its image.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct PlacedObject {
     /// Its foot, in scene coordinates.
     pub foot: DVec2,
@@ -55,6 +59,7 @@ pub struct PlacedObject {
 
 /// Where a ray starts.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct RayStart {
     /// Its first point, relative to the system's origin.
     pub from: DVec2,
@@ -68,6 +73,7 @@ pub struct RayStart {
 
 /// What a ray stands on when it sets out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Start {
     /// Free space.
     Free,

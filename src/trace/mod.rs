@@ -28,6 +28,7 @@ use crate::trace::collect::collect;
 
 /// A whole trace: the ray tree and what became of the light.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Trace {
     /// Every ray with its branches.
     pub tree: RayTree,

@@ -24,6 +24,7 @@ pub struct Ray {
 
 /// What a ray meets first.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Crossing {
     /// The interface, by its place in the system's list.
     pub interface: usize,
@@ -75,8 +76,19 @@ impl<'a> Search<'a> {
     /// Nothing leaks: a line crosses the closed boundary of a medium as often into it as out of it. Where the ray starts on an
     /// interface beside that which it leaves, up to rounding, or finds no way out of a medium that has an end, the crossings
     /// behind it tell whether it starts inside, and what rounding has put on the wrong side of the start changes sides.
-    #[inline(always)]
+    ///
+    /// A ray on an interface that the system does not have starts free, and one that is not finite may meet anything or nothing.
     pub fn nearest(&mut self, ray: &Ray) -> Option<Crossing> {
+        let is_unknown = |interface| interface >= self.system.interfaces.len();
+        match ray.start {
+            Start::On { interface, .. } if is_unknown(interface) => self.find(&Ray { start: Start::Free, ..*ray }),
+            _ => self.find(ray),
+        }
+    }
+
+    /// The same for a ray of the system's own.
+    #[inline(always)]
+    pub(crate) fn find(&mut self, ray: &Ray) -> Option<Crossing> {
         let cell = self.cell(ray);
         #[cfg(test)]
         let cell = if self.skips_nothing { Cells::OPEN } else { cell };

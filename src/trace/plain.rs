@@ -15,7 +15,13 @@ use crate::trace::{RayTree, summarize, trace, visit};
 #[allow(dead_code, unreachable_pub, reason = "shared with the tests of the library")]
 mod random;
 #[path = "../../tests/laws/scenes.rs"]
-#[allow(dead_code, unreachable_pub, reason = "shared with the tests of the library")]
+#[allow(
+    dead_code,
+    unreachable_pub,
+    unreachable_patterns,
+    clippy::field_reassign_with_default,
+    reason = "shared with the tests of the library"
+)]
 mod scenes;
 
 /// The tree of a tracer that skips nothing: it looks at every interface at every step, counts the crossings behind every

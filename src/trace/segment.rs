@@ -11,6 +11,7 @@ use crate::numerics::atan2_degrees;
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/figures/ray-tree.svg"))]
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct RayTree {
     /// One entry per source ray and line, in the order of sources, rays and lines.
     pub rays: Vec<TracedRay>,
@@ -18,6 +19,7 @@ pub struct RayTree {
 
 /// One source ray at one wavelength, with every branch that came of it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TracedRay {
     /// The source, by its place in the scene.
     pub source: usize,
@@ -47,6 +49,7 @@ impl SegmentId {
 
 /// The straight way of light from one hit to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Segment {
     /// Place within the ray's list.
     pub id: SegmentId,
@@ -74,6 +77,7 @@ pub struct Segment {
 
 /// How a segment came about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Via {
     /// It starts at the source.
     Source,
@@ -87,6 +91,7 @@ pub enum Via {
 
 /// How a segment ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Ending {
     /// At a hit that spawned secondary rays.
     Interface,
@@ -111,6 +116,7 @@ pub enum Ending {
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/figures/total-reflection.svg"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Hit {
     /// The body, by its place in the scene.
     pub body: usize,
@@ -201,22 +207,31 @@ impl TracedRay {
     /// The address of a branch: `SOURCE.RAY[@NM]:PATH`, a letter a hit: t transmitted, r reflected, i totally reflected.
     #[must_use]
     pub fn address(&self, id: SegmentId) -> String {
-        let mut letters = Vec::new();
-        let mut next = Some(id);
-        while let Some(segment) = next.and_then(|id| self.segments.get(id.index())) {
-            letters.extend(segment.via.letter());
-            next = segment.parent;
-        }
+        let letters: Vec<char> = self.ancestors(id).filter_map(|segment| segment.via.letter()).collect();
         let path: String = letters.iter().rev().collect();
         format!("{}:{path}", self.name())
     }
 
-    /// The segments that begin where each one ends, by its place.
+    /// A branch and those before it, back to the source's. A parent that does not stand before its child, as in a tree edited
+    /// to nonsense, is none.
+    pub(crate) fn ancestors(&self, id: SegmentId) -> impl Iterator<Item = &Segment> {
+        let mut next = Some(id);
+        std::iter::from_fn(move || {
+            let id = next?;
+            let segment = self.segments.get(id.index())?;
+            next = segment.parent.filter(|parent| *parent < id);
+            Some(segment)
+        })
+    }
+
+    /// The segments that begin where each one ends, by its place. One that does not stand at its id, or not behind its
+    /// parent, as in a tree edited to nonsense, is left out.
     pub(crate) fn children(&self) -> Vec<Vec<&Segment>> {
         let mut children = vec![Vec::new(); self.segments.len()];
-        for segment in &self.segments {
-            if let Some(siblings) = segment.parent.and_then(|parent| children.get_mut(parent.index())) {
-                siblings.push(segment);
+        for (place, segment) in self.segments.iter().enumerate().filter(|(place, segment)| segment.id.index() == *place)
+        {
+            if let Some(parent) = segment.parent.map(SegmentId::index).filter(|parent| *parent < place) {
+                children[parent].push(segment);
             }
         }
         children

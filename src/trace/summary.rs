@@ -6,6 +6,7 @@ use crate::trace::{Ending, Segment, SegmentId, TracedRay, Visitor, Work};
 
 /// What became of all the light: counts, powers and screens, without the tree.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Summary {
     /// Source rays, one per line.
     pub rays: u64,
@@ -33,6 +34,7 @@ pub(crate) struct LightSummary {
 
 /// Where the power of the sources went, in their unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct PowerBalance {
     /// Sent out by the sources.
     pub emitted: Sum,
@@ -52,6 +54,7 @@ pub struct PowerBalance {
 
 /// One screen's record.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ScreenRecord {
     /// The screen, by its place among the scene's bodies.
     pub body: usize,
@@ -61,6 +64,7 @@ pub struct ScreenRecord {
 
 /// Light that landed on a screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ScreenHit {
     /// The source, by its place in the scene.
     pub source: usize,
@@ -79,8 +83,8 @@ pub struct ScreenHit {
 impl Visitor for Summary {
     fn segment(&mut self, ray: &TracedRay, segment: Segment) {
         let (power, hit) = (segment.power.total(), segment.hit.as_ref());
-        self.rays += u64::from(segment.parent.is_none());
-        self.segments += 1;
+        self.rays = self.rays.saturating_add(u64::from(segment.parent.is_none()));
+        self.segments = self.segments.saturating_add(1);
         self.balance.count(segment.id, segment.ending, power, hit.map_or(0.0, |hit| hit.absorptance));
         if segment.ending == Ending::Detected {
             let landed = hit.map(|hit| (hit.body, hit.position.unwrap_or(0.0)));

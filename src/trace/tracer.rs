@@ -165,7 +165,7 @@ impl<'a> Tracer<'a> {
             return None;
         }
         self.segments_left -= 1;
-        let mut crossing = self.search.nearest(&branch.ray);
+        let mut crossing = self.search.find(&branch.ray);
         if branch.parent.is_none() && crossing.is_none() && medium != self.system.surroundings {
             (medium, crossing) = self.meet_beyond(branch.ray);
         }
@@ -194,7 +194,7 @@ impl<'a> Tracer<'a> {
         let outside = self.system.surroundings;
         let media = [beyond(&self.system.interfaces, &ray), outside];
         media.iter().for_each(|medium| self.meet_medium(*medium));
-        let mut meet = |medium: MediumId| Some((medium, Some(self.search.nearest(&Ray { medium, ..ray })?)));
+        let mut meet = |medium: MediumId| Some((medium, Some(self.search.find(&Ray { medium, ..ray })?)));
         media.into_iter().find_map(&mut meet).unwrap_or((outside, None))
     }
 

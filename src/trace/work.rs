@@ -2,6 +2,7 @@ use crate::trace::Ending;
 
 /// What a trace took, and what it could leave out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Work {
     /// Segments followed to their ends.
     pub followed: u64,

@@ -4,7 +4,7 @@ use f256::f256;
 use glam::DVec2;
 use snellius::Scene;
 use snellius::compile::compile;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Substance, Surface, TraceSettings};
+use snellius::scene::{Body, Direction, Light, Medium, Shape, Substance, Surface};
 use snellius::trace::{Segment, Summary, TracedRay, Via, Visitor, visit};
 
 use crate::scenes::{body, source, towards};
@@ -97,7 +97,7 @@ fn labyrinth(random: &mut Random) -> Vec<Body> {
         let side = 1.0 + 1.5 * random.unit();
         let glass = Substance::Medium(Medium::Index(1.2 + 0.6 * random.unit()));
         let shape = Shape::Prism { apex_angle: 30.0 + 60.0 * random.unit(), side };
-        Body { at: DVec2::from(place), rotate: 360.0 * random.unit(), ..body(shape, glass) }
+        body(shape, glass).placed(DVec2::from(place), 360.0 * random.unit())
     });
     std::iter::once(walls).chain(triangles).collect()
 }
@@ -121,7 +121,9 @@ fn missed(scene: &Scene, hits: usize) -> f64 {
     let Some(Segment { from, to: Some(to), direction, .. }) = way.get(hits) else { return f64::INFINITY };
     // Aimed at a point far behind: a near one, rounded, would turn the ray.
     let turned = from.midpoint(*to);
-    let back = run_scene(Scene { sources: vec![towards(turned, turned - 64.0 * *direction)], ..scene.clone() });
+    let mut scene = scene.clone();
+    scene.sources = vec![towards(turned, turned - 64.0 * *direction)];
+    let back = run_scene(scene);
     let ray = &back.trace.tree.rays[0];
     let home = way[1..=hits]
         .iter()
@@ -138,8 +140,8 @@ fn a_path_sent_back_returns() {
         for _ in 0..size(200, 1_000) {
             let bodies = labyrinth(&mut random);
             let light = Light::Ray { from: DVec2::new(7.0, 4.5), direction: Direction::Angle(360.0 * random.unit()) };
-            let trace = TraceSettings { max_depth: hits + 1, min_power: 1e-4, ..TraceSettings::default() };
-            let scene = Scene { bodies, sources: vec![source(light)], trace, ..Scene::default() };
+            let mut scene = Scene::new(bodies, vec![source(light)]);
+            (scene.trace.max_depth, scene.trace.min_power) = (hits + 1, 1e-4);
             off.push(missed(&scene, usize::try_from(hits).unwrap()));
         }
         off.sort_by(f64::total_cmp);

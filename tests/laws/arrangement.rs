@@ -4,7 +4,7 @@
 use glam::DVec2;
 use snellius::Scene;
 use snellius::compile::compile;
-use snellius::scene::{Body, Direction, Light, Medium, SecondaryRays, Shape, Substance, TraceSettings};
+use snellius::scene::{Body, Direction, Light, Medium, SecondaryRays, Shape, Substance};
 use snellius::trace::{Ending, Segment};
 
 use crate::oracle::clearance;
@@ -106,25 +106,19 @@ fn random_body(random: &mut Random) -> Body {
     };
     let medium = Medium::Index([1.0, 1.33, 1.5, 1.5, 2.0][random.below(5)]);
     let rotate = [0.0, 90.0, 180.0, 270.0][random.below(4)];
-    Body { at: lattice(random, 5), rotate, ..body(shape, Substance::Medium(medium)) }
+    body(shape, Substance::Medium(medium)).placed(lattice(random, 5), rotate)
 }
 
 /// Up to six bodies that compile, and rays between points of the lattice, at all angles and between any points.
 fn random_scene(random: &mut Random) -> Scene {
-    let mut scene = Scene {
-        surroundings: Medium::Index([1.0, 1.0, 1.33][random.below(3)]),
-        trace: TraceSettings {
-            secondary_rays: SecondaryRays::Fixed { kr: 0.5, kt: 0.5 },
-            max_depth: 5,
-            min_power: 0.0,
-            ..TraceSettings::default()
-        },
-        ..Scene::default()
-    };
+    let mut scene = Scene::default();
+    scene.surroundings = Medium::Index([1.0, 1.0, 1.33][random.below(3)]);
+    scene.trace.secondary_rays = SecondaryRays::Fixed { kr: 0.5, kt: 0.5 };
+    (scene.trace.max_depth, scene.trace.min_power) = (5, 0.0);
     for _ in 0..1 + random.below(6) {
         let next = random_body(random);
         // A polygon that touches itself is refused.
-        if compile(&Scene { bodies: vec![next.clone()], ..Scene::default() }).is_ok() {
+        if compile(&Scene::new(vec![next.clone()], Vec::new())).is_ok() {
             scene.bodies.push(next);
         }
     }

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use snellius::Scene;
-use snellius::scene::{SecondaryRays, TraceSettings};
+use snellius::scene::SecondaryRays;
 use snellius::trace::{Ending, Trace, TracedRay, Via, summarize};
 
 use crate::properties::check;
@@ -144,7 +144,8 @@ proptest! {
     /// A path of transmissions alone, sent back from beyond its last hit, comes back to its start.
     #[test]
     fn a_path_traced_backward_returns(Random(mut scene) in free_scenes()) {
-        scene.trace = TraceSettings { secondary_rays: SecondaryRays::TransmittedOnly, ..settings(12) };
+        scene.trace = settings(12);
+        scene.trace.secondary_rays = SecondaryRays::TransmittedOnly;
         let run = run_scene(scene.clone());
         for ray in run.trace.tree.rays.iter().filter(|ray| is_refracted_only(ray)) {
             let [way_back, shifted, tilted] = [(0.0, 0.0), (STEP, STEP), (STEP, 0.0)].map(|by| aside(&scene, ray, by));
@@ -175,7 +176,9 @@ fn aside(scene: &Scene, ray: &TracedRay, (shift_far, shift_hit): (f64, f64)) -> 
     let across = last.direction.perp();
     let far = last.from + 5.0 * last.direction + shift_far * across;
     let sources = vec![towards(far, last.from + shift_hit * across)];
-    let back = run_scene(Scene { sources, ..scene.clone() });
+    let mut scene = scene.clone();
+    scene.sources = sources;
+    let back = run_scene(scene);
     let home = back.trace.tree.rays[0].segments.get(ray.segments.len() - 1)?;
     let same_way = back.trace.tree.rays[0].segments.iter().zip(ray.segments.iter().rev());
     let same_way = same_way.take(ray.segments.len() - 1).all(|(there, here)| there.medium_index == here.medium_index);

@@ -103,7 +103,7 @@ fn hits_lie_on_their_curves_where_rays_are_aimed_at_corners() {
     let (mut hits, mut worst) = (0, 0.0_f64);
     for _ in 0..size(200, 5_000) {
         let bodies = group(&mut random);
-        let marks = Marks::new(&compile(&Scene { bodies: bodies.clone(), ..Scene::default() }).unwrap().system);
+        let marks = Marks::new(&compile(&Scene::new(bodies.clone(), Vec::new())).unwrap().system);
         let sources = (0..20).filter_map(|_| marks.ray(&mut random)).map(|(_, source)| source).collect();
         let (more, off) = worst_hit(&run_scene(eight_bounces(bodies, sources)));
         hits += more;

@@ -5,7 +5,7 @@ use glam::DVec2;
 use snellius::Scene;
 use snellius::compile::compile;
 use snellius::numerics::Turn;
-use snellius::scene::{Body, Medium, PathStep, SecondaryRays, Shape, Source, Substance, Surface, TraceSettings};
+use snellius::scene::{Body, Medium, PathStep, SecondaryRays, Shape, Source, Substance, Surface};
 use snellius::trace::{Ending, Segment, SegmentId, TracedRay, Via};
 
 use crate::adversary::{AIMS, Aim, Marks};
@@ -74,6 +74,7 @@ fn scaled(shape: Shape, by: f64) -> Shape {
                 .map(|step| match step {
                     PathStep::LineTo(to) => PathStep::LineTo(by * to),
                     PathStep::ArcTo { through, to } => PathStep::ArcTo { through: by * through, to: by * to },
+                    other => panic!("how large is {other:?}?"),
                 })
                 .collect(),
         },
@@ -89,11 +90,11 @@ fn glass(n: f64) -> Substance {
 fn placed(random: &mut Random, bodies: Vec<Body>) -> Vec<Body> {
     let (scale, shift) = PLACES[random.below(PLACES.len())];
     let angle = [0.0, 90.0, 360.0 * random.unit()][random.below(3)];
-    let place = |body: Body| Body {
-        shape: scaled(body.shape, scale),
-        at: Turn::degrees(angle).apply(scale * body.at) + DVec2::new(shift, -shift),
-        rotate: body.rotate + angle,
-        ..body
+    let place = |mut body: Body| {
+        body.shape = scaled(body.shape, scale);
+        (body.at, body.rotate) =
+            (Turn::degrees(angle).apply(scale * body.at) + DVec2::new(shift, -shift), body.rotate + angle);
+        body
     };
     bodies.into_iter().map(place).collect()
 }
@@ -102,7 +103,7 @@ fn placed(random: &mut Random, bodies: Vec<Body>) -> Vec<Body> {
 fn on_lattice(random: &mut Random, substance: Substance) -> Body {
     let shape = closed_shape(random);
     let at = DVec2::from([random.below(5), random.below(5)].map(|k| [-2.0, -1.5, 0.0, 1.5, 2.0][k]));
-    Body { at, rotate: [0.0, 90.0, 180.0, 45.0][random.below(4)], ..body(shape, substance) }
+    body(shape, substance).placed(at, [0.0, 90.0, 180.0, 45.0][random.below(4)])
 }
 
 pub(crate) fn group(random: &mut Random) -> Vec<Body> {
@@ -113,8 +114,9 @@ pub(crate) fn group(random: &mut Random) -> Vec<Body> {
 
 pub(crate) fn eight_bounces(bodies: Vec<Body>, sources: Vec<Source>) -> Scene {
     let secondary_rays = SecondaryRays::Fixed { kr: 0.5, kt: 0.5 };
-    let trace = TraceSettings { secondary_rays, max_depth: 8, min_power: 0.0, ..TraceSettings::default() };
-    Scene { bodies, sources, trace, ..Scene::default() }
+    let mut scene = Scene::new(bodies, sources);
+    (scene.trace.secondary_rays, scene.trace.max_depth, scene.trace.min_power) = (secondary_rays, 8, 0.0);
+    scene
 }
 
 /// Traces adversarial rays through random scenes; fails for any that leaks, for more than a few in a wrong medium, and
@@ -125,7 +127,7 @@ fn hunt(family: &str, seed: u64, aims: &[Aim], bodies: impl Fn(&mut Random) -> V
     for _ in 0..rays() / BATCH {
         let bodies = bodies(&mut random);
         let bodies = placed(&mut random, bodies);
-        let marks = Marks::new(&compile(&Scene { bodies: bodies.clone(), ..Scene::default() }).unwrap().system);
+        let marks = Marks::new(&compile(&Scene::new(bodies.clone(), Vec::new())).unwrap().system);
         let mut sources = Vec::new();
         while sources.len() < BATCH as usize {
             let Some((aim, source)) = marks.ray(&mut random) else { continue };
@@ -190,7 +192,7 @@ fn is_stray(run: &Run, ray: &TracedRay, segment: &Segment, clear: f64) -> bool {
 /// A scene's bodies and one of its sources.
 fn show(scene: &Scene, source: usize) -> String {
     let sources = vec![scene.sources[source].clone()];
-    format!("{:?}", scenes::Random(Scene { sources, bodies: scene.bodies.clone(), ..Scene::default() }))
+    format!("{:?}", scenes::Random(Scene::new(scene.bodies.clone(), sources)))
 }
 
 #[test]
@@ -221,7 +223,7 @@ fn no_leak_from_a_closed_mirror_box() {
     while aimed < rays() {
         let walls = vec![body(closed_shape(&mut random), Substance::Surface(Surface::Mirror))];
         let walls = placed(&mut random, walls);
-        let system = compile(&Scene { bodies: walls.clone(), ..Scene::default() }).unwrap().system;
+        let system = compile(&Scene::new(walls.clone(), Vec::new())).unwrap().system;
         let curves = &system.bodies()[0].outlines[0].curves;
         let points = curves.iter().flat_map(|curve| [curve.a, curve.midpoint()]);
         let middle = 0.5 * points.sum::<DVec2>() / f64::from(u32::try_from(curves.len()).unwrap());

@@ -184,7 +184,6 @@ fn bend(segment: &Segment, parent: &Segment, grazing: f64) {
     assert!(n.dot(v) <= grazing, "the normal points against the ray");
     // Unit vectors rounded a few times each: tangential components are good to 8 u.
     match segment.via {
-        Via::Source => unreachable!("a source's segment has no parent"),
         Via::Transmission => {
             let n_t = hit.n_t.expect("transmitted into a medium");
             assert_eq!((hit.n_i, n_t), (parent.medium_index, segment.medium_index));
@@ -198,6 +197,7 @@ fn bend(segment: &Segment, parent: &Segment, grazing: f64) {
             assert!((n.dot(d) - n.dot(-v).max(0.0)).abs() <= 16.0 * U, "{segment:?}");
             assert!(n.dot(d) >= -8.0 * U, "reflected to the near side");
         }
+        via => panic!("a segment with a parent has no {via:?}"),
     }
 }
 

@@ -7,7 +7,7 @@ use std::time::Instant;
 use glam::DVec2;
 use snellius::Scene;
 use snellius::compile::compile;
-use snellius::scene::{Body, Medium, SecondaryRays, Shape, Substance, TraceSettings};
+use snellius::scene::{Medium, SecondaryRays, Shape, Substance};
 use snellius::trace::Ending;
 
 use crate::scenes::{body, towards};
@@ -25,18 +25,14 @@ fn squares(side: u32) -> Scene {
     }
     // No two of one medium.
     let glass = |k: usize| Substance::Medium(Medium::Index(1.5 + 1e-6 * k as f64));
-    let square = |(k, at)| Body { at, ..body(Shape::Rectangle { width: 6.0, height: 6.0 }, glass(k)) };
+    let square = |(k, at)| body(Shape::Rectangle { width: 6.0, height: 6.0 }, glass(k)).placed(at, 0.0);
     let row = |k: u32| 30.0 * f64::from(k) + 0.5;
-    Scene {
-        bodies: places.into_iter().enumerate().map(square).collect(),
-        sources: (0..side.div_ceil(3)).map(|k| towards(DVec2::new(-20.0, row(k)), DVec2::new(0.0, row(k)))).collect(),
-        trace: TraceSettings {
-            secondary_rays: SecondaryRays::TransmittedOnly,
-            max_depth: 4 * side,
-            ..TraceSettings::default()
-        },
-        ..Scene::default()
-    }
+    let mut scene = Scene::new(
+        places.into_iter().enumerate().map(square).collect(),
+        (0..side.div_ceil(3)).map(|k| towards(DVec2::new(-20.0, row(k)), DVec2::new(0.0, row(k)))).collect(),
+    );
+    (scene.trace.secondary_rays, scene.trace.max_depth) = (SecondaryRays::TransmittedOnly, 4 * side);
+    scene
 }
 
 /// The same squares as the text of a file.

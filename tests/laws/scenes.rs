@@ -8,23 +8,15 @@ use proptest::prelude::*;
 use snellius::Scene;
 use snellius::numerics::Turn;
 use snellius::scene::{
-    Body, Direction, Element, Light, Medium, PathStep, Polarization, SecondaryRays, Shape, Source, Spectrum, Substance,
-    Surface, TraceSettings,
+    Body, Direction, Element, Light, Medium, PathStep, SecondaryRays, Shape, Source, Substance, Surface, TraceSettings,
 };
 
 pub(crate) fn body(shape: Shape, substance: Substance) -> Body {
-    Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance }
+    Body::new(shape, substance)
 }
 
 pub(crate) fn source(light: Light) -> Source {
-    Source {
-        name: None,
-        color: None,
-        light,
-        spectrum: Spectrum::default(),
-        power: 1.0,
-        polarization: Polarization::default(),
-    }
+    Source::new(light)
 }
 
 pub(crate) fn towards(from: DVec2, to: DVec2) -> Source {
@@ -32,7 +24,9 @@ pub(crate) fn towards(from: DVec2, to: DVec2) -> Source {
 }
 
 pub(crate) fn settings(max_depth: u32) -> TraceSettings {
-    TraceSettings { max_depth, ..TraceSettings::default() }
+    let mut settings = TraceSettings::default();
+    settings.max_depth = max_depth;
+    settings
 }
 
 /// A random scene, shown in few lines.
@@ -70,13 +64,15 @@ pub(crate) fn turned_scenes() -> impl Strategy<Value = Random> {
 }
 
 /// The whole scene turned about the coordinate origin, then moved.
-pub(crate) fn turned(scene: Scene, angle: f64, shift: DVec2) -> Scene {
+pub(crate) fn turned(mut scene: Scene, angle: f64, shift: DVec2) -> Scene {
     let turn = |p: DVec2| Turn::degrees(angle).apply(p) + shift;
-    let bodies = scene.bodies.into_iter();
-    let bodies = bodies.map(|body| Body { at: turn(body.at), rotate: body.rotate + angle, ..body }).collect();
+    for body in &mut scene.bodies {
+        (body.at, body.rotate) = (turn(body.at), body.rotate + angle);
+    }
     let heading = |direction| match direction {
         Direction::Angle(degrees) => Direction::Angle(degrees + angle),
         Direction::Towards(p) => Direction::Towards(turn(p)),
+        other => panic!("how does {other:?} turn?"),
     };
     let light = |light| match light {
         Light::Ray { from, direction } => Light::Ray { from: turn(from), direction: heading(direction) },
@@ -88,9 +84,12 @@ pub(crate) fn turned(scene: Scene, angle: f64, shift: DVec2) -> Scene {
         }
         Light::Point { at, rays } => Light::Point { at: turn(at), rays },
         Light::Object { from, to } => Light::Object { from: turn(from), to: turn(to) },
+        other => panic!("how does {other:?} turn?"),
     };
-    let sources = scene.sources.into_iter().map(|source| Source { light: light(source.light), ..source }).collect();
-    Scene { bodies, sources, ..scene }
+    for source in &mut scene.sources {
+        source.light = light(source.light.clone());
+    }
+    scene
 }
 
 fn scenes(
@@ -107,7 +106,10 @@ fn scenes(
             let from = if k % 2 == 0 { free } else { targets[0] };
             source(Light::Ray { from, direction: Direction::Angle(*angle) })
         });
-        Random(Scene { bodies, sources: rays.chain(angled).collect(), surroundings, trace, ..Scene::default() })
+        let mut scene = Scene::new(bodies, rays.chain(angled).collect());
+        scene.surroundings = surroundings;
+        scene.trace = trace;
+        Random(scene)
     })
 }
 
@@ -120,7 +122,7 @@ fn placed((shape, substance, at, rotate): (Shape, Substance, DVec2, f64)) -> Bod
         },
         _ => substance,
     };
-    Body { at, rotate, ..body(shape, substance) }
+    body(shape, substance).placed(at, rotate)
 }
 
 fn point(reach: f64) -> impl Strategy<Value = DVec2> {
@@ -150,7 +152,11 @@ fn tracing() -> impl Strategy<Value = TraceSettings> {
         1 => (0.0..0.5, 0.0..0.5).prop_map(|(kr, kt)| SecondaryRays::Fixed { kr, kt }),
     ];
     (secondary_rays, 1..8_u32, prop_oneof![Just(0.0), Just(1e-3)]).prop_map(|(secondary_rays, max_depth, min_power)| {
-        TraceSettings { secondary_rays, max_depth, min_power, ..TraceSettings::default() }
+        let mut settings = TraceSettings::default();
+        settings.secondary_rays = secondary_rays;
+        settings.max_depth = max_depth;
+        settings.min_power = min_power;
+        settings
     })
 }
 
@@ -233,8 +239,7 @@ fn least_thickness(left: f64, right: f64) -> f64 {
 
 fn lens_group() -> impl Strategy<Value = Shape> {
     (face(), face(), face(), index(), index()).prop_map(|(first, second, third, n, m)| {
-        let element =
-            |radius, thickness, index: Option<f64>| Element { radius, thickness, medium: index.map(Medium::Index) };
+        let element = |radius, thickness, index: Option<f64>| Element::new(radius, thickness, index.map(Medium::Index));
         let (t1, t2) = (0.5 + least_thickness(first, second), 0.5 + least_thickness(second, third));
         let surfaces =
             vec![element(first, Some(t1), Some(n)), element(second, Some(t2), Some(m)), element(third, None, None)];

@@ -4,7 +4,7 @@ use glam::DVec2;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use snellius::Scene;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Substance, Surface};
+use snellius::scene::{Direction, Light, Medium, Shape, Substance, Surface};
 use snellius::trace::Trace;
 
 use crate::config;
@@ -33,16 +33,14 @@ fn whole_scenes() -> impl Strategy<Value = Scene> {
         1 => Just(Substance::Surface(Surface::BeamSplitter { reflect: 0.25, transmit: 0.5 })),
     ];
     let closed = (prop_oneof![triangle, rectangle, disk, half_disk, lens], substance);
-    let filled =
-        (prop_oneof![5 => closed, 1 => flat], point(), 0..4_i32).prop_map(|((shape, substance), at, quarters)| Body {
-            at,
-            rotate: 90.0 * f64::from(quarters),
-            ..body(shape, substance)
-        });
+    let filled = (prop_oneof![5 => closed, 1 => flat], point(), 0..4_i32)
+        .prop_map(|((shape, substance), at, quarters)| body(shape, substance).placed(at, 90.0 * f64::from(quarters)));
     let rays = vec((point(), point()).prop_filter("no direction", |(a, b)| a != b), 1..6);
     (vec(filled, 1..4), rays).prop_map(|(bodies, rays)| {
         let sources = rays.into_iter().map(|(from, to)| towards(from, to)).collect();
-        Scene { bodies, sources, trace: settings(6), ..Scene::default() }
+        let mut scene = Scene::new(bodies, sources);
+        scene.trace = settings(6);
+        scene
     })
 }
 
@@ -63,13 +61,18 @@ fn mapped(scene: &Scene, point: impl Fn(DVec2) -> DVec2, vector: impl Fn(DVec2) 
             Shape::Flat { from, to } => Shape::Flat { from: vector(*from), to: vector(*to) },
             other => panic!("{other:?} is not mapped"),
         };
-        Body { shape, at: point(body.at), ..body.clone() }
+        let mut body = body.clone();
+        (body.shape, body.at) = (shape, point(body.at));
+        body
     });
     let sources = scene.sources.iter().map(|source| {
         let Light::Ray { from, direction: Direction::Towards(to) } = source.light else { return source.clone() };
         towards(point(from), point(to))
     });
-    Scene { bodies: bodies.collect(), sources: sources.collect(), ..scene.clone() }
+    let mut scene = scene.clone();
+    scene.bodies = bodies.collect();
+    scene.sources = sources.collect();
+    scene
 }
 
 /// Address and ending, direction, power, and the hit's body, cosine and sine.

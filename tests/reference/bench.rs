@@ -138,6 +138,6 @@ fn substance(body: &Body, element: Option<Medium>) -> (Option<Medium>, Option<Su
         (Substance::Surface(surface), _) => (None, Some(*surface)),
         (Substance::Medium(medium), _) => (Some(medium.clone()), None),
         (Substance::Elements, Shape::LensGroup { .. }) => (element, None),
-        (Substance::Elements, _) => unreachable!("only lens groups have elements"),
+        (other, _) => panic!("the reference knows no {other:?} here"),
     }
 }

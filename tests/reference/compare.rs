@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use f256::f256;
 use glam::DVec2;
-use snellius::scene::{Direction, Light, Source};
+use snellius::scene::{Direction, Light};
 use snellius::{OpticalSystem, Scene, Segment, TracedRay, compile, trace};
 
 use crate::condition::Bundle;
@@ -67,9 +67,20 @@ fn with_rays_of_objects(scene: &Scene, system: &OpticalSystem) -> Scene {
         let Light::Object { to: from, .. } = source.light else { return vec![source.clone()] };
         let power = source.power / placed.starts.len() as f64;
         let light = |direction| Light::Ray { from, direction: Direction::Towards(from + FAR * direction) };
-        placed.starts.iter().map(|start| Source { light: light(start.direction), power, ..source.clone() }).collect()
+        placed
+            .starts
+            .iter()
+            .map(|start| {
+                let mut source = source.clone();
+                source.light = light(start.direction);
+                source.power = power;
+                source
+            })
+            .collect()
     });
-    Scene { sources: sources.collect(), ..scene.clone() }
+    let mut scene = scene.clone();
+    scene.sources = sources.collect();
+    scene
 }
 
 struct Comparison<'a> {

@@ -33,7 +33,10 @@ impl Generator {
             bodies.insert(self.random.below(bodies.len()), self.room(place));
         }
         let sources = (0..2 + self.random.below(3)).map(|_| self.source(place)).collect();
-        Scene { surroundings: self.medium(), bodies, sources, trace: self.settings(), ..Scene::default() }
+        let mut scene = Scene::new(bodies, sources);
+        scene.surroundings = self.medium();
+        scene.trace = self.settings();
+        scene
     }
 
     /// Where the whole scene stands.
@@ -64,7 +67,7 @@ impl Generator {
         } else {
             self.within(180.0)
         };
-        let body = |shape, substance| Body { name: None, label: None, color: None, shape, at, rotate, substance };
+        let body = |shape, substance| Body::new(shape, substance).placed(at, rotate);
         match self.random.below(6) {
             0 => {
                 let radius = self.between(2.0, 5.0);
@@ -76,7 +79,7 @@ impl Generator {
                 let leg = self.between(2.0, 6.0);
                 let across = turned(DVec2::splat(leg).into(), direction(wide(rotate))).narrow();
                 let prism = || Shape::RightAnglePrism { leg };
-                let other = Body { at: at + across, rotate: rotate + 180.0, ..body(prism(), self.filling()) };
+                let other = body(prism(), self.filling()).placed(at + across, rotate + 180.0);
                 vec![body(prism(), self.filling()), other]
             }
             2 => {
@@ -112,7 +115,7 @@ impl Generator {
             _ => Shape::RegularPolygon { sides: 5, radius: self.between(15.0, 30.0) },
         };
         let (rotate, substance) = (self.within(180.0), Substance::Surface(Surface::Mirror));
-        Body { name: None, label: None, color: None, shape, at, rotate, substance }
+        Body::new(shape, substance).placed(at, rotate)
     }
 
     fn filling(&mut self) -> Substance {
@@ -214,13 +217,11 @@ impl Generator {
 
     fn lens_group(&mut self) -> Shape {
         let radii = [self.radius(), self.radius(), self.radius()];
-        let inner = |this: &mut Self, k: usize| Element {
-            radius: radii[k],
-            thickness: Some(this.thickness(radii[k], radii[k + 1])),
-            medium: Some(this.medium()),
+        let inner = |this: &mut Self, k: usize| {
+            let thickness = Some(this.thickness(radii[k], radii[k + 1]));
+            Element::new(radii[k], thickness, Some(this.medium()))
         };
-        let surfaces =
-            vec![inner(self, 0), inner(self, 1), Element { radius: radii[2], thickness: None, medium: None }];
+        let surfaces = vec![inner(self, 0), inner(self, 1), Element::new(radii[2], None, None)];
         Shape::LensGroup { diameter: 4.0, surfaces }
     }
 
@@ -254,7 +255,11 @@ impl Generator {
             _ => Spectrum::default(),
         };
         let polarization = [Polarization::Unpolarized, Polarization::S, Polarization::P][self.random.below(3)];
-        Source { name: None, color: None, light, spectrum, power: self.between(0.1, 3.0), polarization }
+        let mut source = Source::new(light);
+        source.spectrum = spectrum;
+        source.power = self.between(0.1, 3.0);
+        source.polarization = polarization;
+        source
     }
 
     /// A ray that all but meets an end of a curve, or all but touches it, by 1e-14 to 1e-4.
@@ -270,8 +275,7 @@ impl Generator {
             _ => ends[self.random.below(ends.len())].narrow() + off * along.perp(),
         };
         let light = Light::Ray { from: goal - self.between(5.0, 20.0) * along, direction: Direction::Towards(goal) };
-        let (spectrum, polarization) = (Spectrum::default(), Polarization::default());
-        Source { name: None, color: None, light, spectrum, power: 1.0, polarization }
+        Source::new(light)
     }
 
     fn settings(&mut self) -> TraceSettings {
@@ -283,6 +287,10 @@ impl Generator {
         let max_depth = 2 + u32::try_from(self.random.below(11)).unwrap();
         let min_power = [0.0, 1e-3, 1e-3, 1e-2][self.random.below(4)];
         let max_depth = if min_power == 0.0 { max_depth.min(6) } else { max_depth };
-        TraceSettings { secondary_rays, max_depth, min_power, ..TraceSettings::default() }
+        let mut settings = TraceSettings::default();
+        settings.secondary_rays = secondary_rays;
+        settings.max_depth = max_depth;
+        settings.min_power = min_power;
+        settings
     }
 }

@@ -42,6 +42,7 @@ impl Formula {
                 let rows: Vec<Row> = ron::from_str(&text).unwrap();
                 rows.into_iter().find(|row| row.name == *name).unwrap().formula
             }
+            other => panic!("the reference knows no {other:?}"),
         }
     }
 

@@ -93,6 +93,7 @@ impl Meeting<'_> {
             }
             (_, Some(_), SecondaryRays::Fixed { kr, kt }) => fixed(kr, kt),
             (_, Some(t), SecondaryRays::TransmittedOnly) => ((back, none), Some((t, all))),
+            (.., other) => panic!("the reference knows no {other:?}"),
         }
     }
 }

@@ -44,6 +44,7 @@ pub(crate) fn paths(shape: &Shape, numbers: &Numbers) -> Vec<Path> {
         Shape::Outline { start, path } => outline(*start, path, point),
         Shape::Flat { from, to } => vec![Curve::line(point(*from), point(*to))],
         Shape::Arc { from, through, to } => vec![Curve::through(point(*from), point(*through), point(*to))],
+        other => panic!("the reference knows no {other:?}"),
     };
     vec![Path { curves, medium: None }]
 }
@@ -139,6 +140,7 @@ fn outline(start: DVec2, path: &[PathStep], point: impl Fn(DVec2) -> Wide2) -> V
         let (curve, to) = match *step {
             PathStep::LineTo(to) => (Curve::line(point(at), point(to)), to),
             PathStep::ArcTo { through, to } => (Curve::through(point(at), point(through), point(to)), to),
+            other => panic!("the reference knows no {other:?}"),
         };
         curves.push(curve);
         at = to;

@@ -25,6 +25,7 @@ pub(crate) fn starts(light: &Light) -> Vec<(Wide2, Wide2)> {
             (0..*rays).map(|k| ((*at).into(), direction(degrees(k)))).collect()
         }
         Light::Object { .. } => panic!("an object is given as its rays"),
+        other => panic!("the reference knows no {other:?}"),
     }
 }
 
@@ -37,6 +38,7 @@ fn heading(from: DVec2, towards: Direction) -> Wide2 {
     match towards {
         Direction::Angle(degrees) => direction(wide(degrees)),
         Direction::Towards(point) => (Wide2::from(point) - from.into()).unit(),
+        other => panic!("the reference knows no {other:?}"),
     }
 }
 
@@ -50,6 +52,7 @@ pub(crate) fn lines(spectrum: &Spectrum) -> Vec<f256> {
             let step = wide(280.0) / wide(f64::from(samples - 1));
             (0..*samples).map(|k| wide(420.0) + wide(f64::from(k)) * step).collect()
         }
+        other => panic!("the reference knows no {other:?}"),
     }
 }
 
@@ -60,5 +63,6 @@ pub(crate) fn power(source: &Source, shares: usize) -> [f256; 2] {
         Polarization::Unpolarized => [wide(0.5) * power; 2],
         Polarization::S => [power, f256::ZERO],
         Polarization::P => [f256::ZERO, power],
+        other => panic!("the reference knows no {other:?}"),
     }
 }

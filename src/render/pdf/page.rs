@@ -7,7 +7,7 @@ use pdf_writer::types::{BlendMode, LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Name, Str};
 
 use super::{POINTS, fonts::Fonts, single};
-use crate::drawing::{Anchor, pixel};
+use crate::drawing::{Anchor, extent, pixel};
 use crate::drawing::{Cap, Color, Drawing, Fill, Group, Item, Lines, Path, PathStep, Rect, Shape, Stroke, Text, Whole};
 use crate::render::arcs::cubics;
 
@@ -206,8 +206,8 @@ impl<'a> Page<'a> {
             Cap::Butt => LineCapStyle::ButtCap,
             Cap::Round => LineCapStyle::RoundCap,
         };
-        self.content.set_stroke_rgb(r, g, b).set_line_width(number(stroke.width)).set_line_cap(cap);
-        self.content.set_dash_pattern(stroke.dash.iter().map(|length| number(*length)), 0.0);
+        self.content.set_stroke_rgb(r, g, b).set_line_width(number(extent(stroke.width))).set_line_cap(cap);
+        self.content.set_dash_pattern(stroke.dash.iter().map(|length| number(extent(*length))), 0.0);
         self.state(State::new(stroke.opacity, self.adds_up));
     }
 

@@ -52,7 +52,7 @@ fn first_fault(
     if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
         return None;
     }
-    let lines = source.spectrum.lines().into_iter().filter_map(Wavelength::from_nanometers);
+    let lines = source.spectrum.lines().filter_map(Wavelength::from_nanometers);
     let mut checked = lines.map(|line| dispersion.check(line));
     let error = match checked.find(|checked| !checked.as_ref().is_ok_and(|index| *index <= MAX_INDEX))? {
         Ok(index) => return too_large(owner, index),

@@ -5,6 +5,7 @@ use crate::scene::{MAX_TEXT_BYTES, Places, Problem, Problems, Scene, Severity};
 
 /// A scene that was read from text, free of errors.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
