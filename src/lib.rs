@@ -44,6 +44,29 @@
 //! - s polarization: electric field perpendicular to the drawing plane (TE). p: in the plane (TM).
 //! - Powers add; there is no interference.
 //!
+//! # Any value
+//!
+//! No function panics or runs on, whatever it is given, and time and memory grow with what the arguments hold. What has no meaning
+//! gives an error, `None` or NaN, as each item says. Results of different scenes given together, trees whose fields were changed
+//! and drawings made by hand may give a figure or a report of no use, and do no other harm: what leads nowhere is passed over.
+//! Every type is `Send` and `Sync`. Nothing but the arguments has a say: there is no global state, and no look at the environment
+//! or a clock.
+//!
+//! # What a version promises
+//!
+//! Versions follow [Semantic Versioning](https://semver.org/spec/v2.0.0.html); before 1.0 a minor version may break. These break:
+//!
+//! - a public item that is gone or takes or gives something else; the module `cli` is no part of the library;
+//! - a scene file that was sound and is refused, or whose rays go elsewhere by more than rounding;
+//! - a command, an option or an exit status that is gone or means something else;
+//! - in the trace output a key or a column that is gone, has another name or means something else, which also raises
+//!   [`report::SCHEMA`];
+//! - in an SVG a class or a `data-` attribute that is gone or means something else.
+//!
+//! These do not: new fields and variants (types that will grow are `#[non_exhaustive]`: they are made by `new` or `default`, and a
+//! `match` has a last arm `_`), new keys, columns, classes and attributes, the words of messages, the looks and the layout of a
+//! figure, last digits where results become more accurate, and a newer minimum Rust version, which a minor version may ask for.
+//!
 //! # What stays the same
 //!
 //! The same scene gives the same bits on every machine and for any number of processors: the trace uses only +, −, ×, ÷ and

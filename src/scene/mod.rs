@@ -41,6 +41,29 @@ pub use tracing::{SecondaryRays, TraceSettings};
 /// ```
 ///
 #[cfg_attr(doc, doc = include_str!("../../docs/figures/scene.svg"))]
+///
+/// The same from Rust: parts have a constructor for what they cannot be without, and fields for the rest. Any values may stand in
+/// them; [`validate`](Self::validate) and [`compile`](crate::compile()) say what is wrong.
+///
+/// ```
+/// use snellius::glam::DVec2;
+/// use snellius::scene::{Body, Direction, Light, Medium, Shape, Source, Surface};
+/// use snellius::{Scene, compile, trace};
+///
+/// let glass = Medium::Catalog("N-BK7".into());
+/// let prism = Body::new(Shape::Prism { apex_angle: 60.0, side: 30.0 }, glass).named("prism");
+/// let (low, high) = (DVec2::new(0.0, -40.0), DVec2::new(0.0, 40.0));
+/// let wall = Body::new(Shape::Flat { from: low, to: high }, Surface::Screen).placed(DVec2::new(60.0, 0.0), 0.0);
+/// let light = Light::Ray { from: DVec2::new(-30.0, -8.0), direction: Direction::Angle(20.0) };
+///
+/// let mut scene = Scene::new(vec![prism, wall], vec![Source::new(light)]);
+/// scene.title = "Near the least deviation".into();
+/// scene.trace.max_depth = 8;
+///
+/// let system = compile(&scene)?.system;
+/// assert!(trace(&system).summary.balance.detected.value() > 0.8);
+/// # Ok::<(), snellius::scene::Problems>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Scene {
