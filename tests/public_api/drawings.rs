@@ -114,7 +114,7 @@ pub(crate) fn check_svg(text: &str) {
 }
 
 proptest! {
-    #![proptest_config(config(600))]
+    #![proptest_config(config(250))]
 
     #[test]
     fn drawings_by_hand_are_written(drawing in drawing(), scale in prop_oneof![0.1..2.0, number()]) {
