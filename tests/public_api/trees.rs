@@ -216,7 +216,10 @@ proptest! {
     }
 
     #[test]
-    fn addresses_of_any_form(a in which(), address in prop_oneof![any::<String>(), words(), "[0-2][.][0-9]@?[0-9e.]*:[tri]*"]) {
+    fn addresses_of_any_form(
+        a in which(),
+        address in prop_oneof![".{0,100}", words(), "[0-2][.][0-9]@?[0-9e.]*:[tri]*", "[0-9]{0,4}[θ₁]{60}@?[0-9]*:?"],
+    ) {
         let _found = find(&MADE[a].trace.tree, &address);
         let _bundle = Bundle::of(&MADE[a].trace.tree, 0, &address).focus();
     }
