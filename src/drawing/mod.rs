@@ -3,11 +3,13 @@
 //! Every coordinate that enters a [`Path`] or a [`Text`] is made finite and rounded to 1/100 px there, so that a renderer
 //! sees neither NaN nor −0 and the same figure gives the same bytes on every machine.
 
+mod arabic;
 mod color;
 mod font;
 mod item;
 mod lines;
 mod number;
+mod order;
 mod panels;
 mod path;
 mod steps;
