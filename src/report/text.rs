@@ -14,11 +14,14 @@ use crate::trace::{Ending, Hit, PowerBalance, RayTree, ScreenRecord, Segment, Su
 const DECIMALS: usize = 6;
 /// Decimals of angles in degrees.
 const ANGLE_DECIMALS: usize = 4;
+/// Branches with more hits behind them are counted and not listed: each takes a line as long as its way.
+const MOST_HITS: usize = 200;
 
 /// The ray tree by address, the power balance and the screens.
 ///
 /// Lengths have 7 digits against the size of the scene, powers 6 of their own. A segment's share is that of the power
-/// that its ray started with. The columns are aligned within each ray.
+/// that its ray started with. The columns are aligned within each ray. Branches with more than 200 hits behind them are counted and
+/// not listed.
 #[must_use]
 pub fn text(system: &OpticalSystem, trace: &Trace) -> String {
     in_memory(|out| write_text(out, system, trace))
@@ -57,9 +60,12 @@ impl Report<'_> {
     fn ray(&self, out: &mut impl Write, ray: &TracedRay) -> io::Result<()> {
         let (name, nm, power) = (ray.name(), ray.wavelength.nanometers(), significant(ray.power));
         writeln!(out, "ray {name}  {nm} nm  power {power}")?;
-        let lines: Vec<_> = depths(ray)
+        let depths = depths(ray);
+        let deep = depths.iter().filter(|depth| **depth > MOST_HITS).count();
+        let lines: Vec<_> = depths
             .into_iter()
             .zip(&ray.segments)
+            .filter(|(depth, _)| *depth <= MOST_HITS)
             .map(|(depth, segment)| (self.cells(ray, segment, depth), self.end(segment)))
             .collect();
         let widths: [usize; COLUMNS] = std::array::from_fn(|column| {
@@ -71,6 +77,10 @@ impl Report<'_> {
                 write!(out, "{cell:width$}  ")?;
             }
             writeln!(out, "{end}")?;
+        }
+        if deep > 0 {
+            let branches = if deep == 1 { "1 branch".into() } else { format!("{deep} branches") };
+            writeln!(out, "  and {branches} with more than {MOST_HITS} hits behind: json and csv list them")?;
         }
         writeln!(out)
     }
