@@ -189,6 +189,41 @@ fn both_sides_of_outlines_with_nearly_coincident_corners_are_what_the_outlines_s
     at_most("places on nearly coincident outlines with wrong sides", all.wrong, 0.0);
 }
 
+/// Looks at many places of one scene, which must all be right.
+fn is_right(bodies: &str) {
+    let scene = Scene::from_ron(&format!("(bodies: [{bodies}])")).unwrap();
+    let mut random = Random(5);
+    for _ in 0..200 {
+        let counts = tally(&scene, &mut random);
+        assert!(counts.places > 0.0 && counts.wrong == 0.0, "{}", counts.last);
+    }
+}
+
+#[test]
+fn an_edge_crosses_a_flat_arc_along_it() {
+    // At 2e-8 rad, and close to where the arc begins.
+    is_right(
+        "(shape: Polygon([(-60, -70), (-20, -80), (20, -60), (40, 60), (20, 60)]), medium: Index(1.5)),
+        (shape: Outline(start: (-60, -20), path: [LineTo((-60.00000000000157, -80)), LineTo((79.99999999997921, 60)),
+            LineTo((-80, 40))]), medium: Index(2)),
+        (shape: Outline(start: (-80, -80), path: [LineTo((-60, -79.99999999997927)),
+            ArcTo(through: (-30.000000285510463, -49.99999964592013), to: (1.371180863897158e-7, -20)),
+            LineTo((80, 40)), LineTo((40, 20)), LineTo((-20, 20))]), medium: Index(1))",
+    );
+}
+
+#[test]
+fn an_arc_crosses_a_much_flatter_one_twice() {
+    // Radii of 200 and 1e9, 5 apart in places and 3e-6 from an end.
+    is_right(
+        "(shape: Outline(start: (-20, -60), path: [LineTo((60, -60)), LineTo((80, -40)),
+            ArcTo(through: (49.99999857611589, 9.999999145669955), to: (19.999999999998593, 60)), LineTo((-20, -60))]),
+            medium: Index(1.5)),
+        (shape: Outline(start: (79.9999999394713, -40), path: [LineTo((59.99999701150103, -20)), LineTo((-80, 60)),
+            ArcTo(through: (12.34579255019549, 29.753330361215355), to: (79.9999999394713, -40))]), medium: Index(2))",
+    );
+}
+
 #[test]
 fn a_flat_arc_is_cut_close_to_its_end() {
     // An edge passes below the outline's corners by 1.3e-10 and 1.4e-11, through arcs that are as flat.
