@@ -36,6 +36,8 @@ mod properties;
 mod scale;
 #[path = "laws/scenes.rs"]
 mod scenes;
+#[path = "laws/slivers.rs"]
+mod slivers;
 #[path = "laws/sources.rs"]
 mod sources;
 #[path = "laws/surfaces.rs"]

@@ -1,16 +1,17 @@
 //! The curves of all bodies cut at their common points into pieces that meet only at shared vertices, pieces that
 //! coincide merged into one.
 
-use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use glam::DVec2;
 
-use crate::compile::cuts::Cuts;
+use crate::compile::cuts::{Cuts, FEW};
+use crate::compile::effort::{Effort, Exhausted};
 use crate::compile::intersect::crossings;
 use crate::compile::leaders::Leaders;
-use crate::compile::lists::Lists;
+use crate::compile::runs::Runs;
 use crate::geometry::{Bounds, Curve};
+use crate::numerics::cross;
 
 /// Boundaries are one where they lie within this many units in the last place of their largest coordinate.
 const COINCIDENCE: f64 = 16.0 * 0.5 * f64::EPSILON;
@@ -88,8 +89,13 @@ fn between(points: &[DVec2], ends: [usize; 2], curve: &Curve) -> Curve {
 
 /// Cuts the boundaries at their common points and merges what coincides. `pairs` are those whose boxes meet, the earlier
 /// first, sorted.
-pub(crate) fn arrange(boundaries: &[Boundary], pairs: &[(usize, usize)]) -> Pieces {
-    let mut arrangement = Arrangement::new(boundaries, pairs);
+pub(crate) fn arrange(
+    boundaries: &[Boundary],
+    runs: &Runs,
+    pairs: &[(usize, usize)],
+    effort: &Effort,
+) -> Result<Pieces, Exhausted> {
+    let mut arrangement = Arrangement::new(boundaries, runs, effort);
     for &(i, j) in pairs {
         arrangement.join_ends(i, j);
     }
@@ -98,22 +104,22 @@ pub(crate) fn arrange(boundaries: &[Boundary], pairs: &[(usize, usize)]) -> Piec
         arrangement.cut_at_ends(j, i);
     }
     for &(i, j) in pairs {
+        effort.check(j)?;
         arrangement.cut_at_crossings(i, j);
     }
     let pieces = arrangement.pieces();
-    Pieces { points: arrangement.points, ..pieces }
+    Ok(Pieces { points: arrangement.points, ..pieces })
 }
 
 struct Arrangement<'a> {
     boundaries: &'a [Boundary],
-    pairs: &'a [(usize, usize)],
+    runs: &'a Runs,
+    effort: &'a Effort,
     /// The ends of boundary k are 2k and 2k + 1; those after are where boundaries cross.
     points: Vec<DVec2>,
     leaders: Leaders,
     /// The points at which boundaries are cut, of those that are.
     cuts: HashMap<usize, Cuts>,
-    /// Boundaries whose boxes meet a boundary's; rarely asked for.
-    neighbors: OnceCell<Lists>,
 }
 
 /// The end points of a boundary.
@@ -122,10 +128,10 @@ fn ends(boundary: usize) -> [usize; 2] {
 }
 
 impl<'a> Arrangement<'a> {
-    fn new(boundaries: &'a [Boundary], pairs: &'a [(usize, usize)]) -> Self {
+    fn new(boundaries: &'a [Boundary], runs: &'a Runs, effort: &'a Effort) -> Self {
         let points: Vec<_> = boundaries.iter().flat_map(|b| [b.curve.a, b.curve.b]).collect();
         let leaders = Leaders::new(points.len());
-        Self { boundaries, pairs, points, leaders, cuts: HashMap::new(), neighbors: OnceCell::new() }
+        Self { boundaries, runs, effort, points, leaders, cuts: HashMap::new() }
     }
 
     fn cut(&mut self, boundary: usize, point: usize) {
@@ -137,7 +143,9 @@ impl<'a> Arrangement<'a> {
     fn vertices_near(&self, boundary: usize, p: DVec2, tolerance: f64) -> impl Iterator<Item = usize> {
         // Points move by a few tolerances as more of them become one.
         let cuts = |cuts: &Cuts| cuts.near(p, 64.0 * tolerance, &self.boundaries[boundary].curve);
-        ends(boundary).into_iter().chain(self.cuts.get(&boundary).map(cuts).unwrap_or_default())
+        let cuts = self.cuts.get(&boundary).map(cuts).unwrap_or_default();
+        self.effort.spend(cuts.len() / FEW);
+        ends(boundary).into_iter().chain(cuts)
     }
 
     fn vertex(&self, point: usize) -> usize {
@@ -195,21 +203,23 @@ impl<'a> Arrangement<'a> {
                 }
             }
             if known == [None, None] {
-                self.cut_coincident(i, vertex);
-                self.cut_coincident(j, vertex);
+                self.cut_coincident([i, j], vertex, tolerance);
             }
         }
     }
 
-    /// Cuts what runs along boundary `i` at a new vertex on it, too: a third curve that crosses two coincident ones at a small
-    /// angle meets them in places that are farther apart than they are.
-    fn cut_coincident(&mut self, i: usize, vertex: usize) {
+    /// Cuts what runs along one of two boundaries at a new vertex on both, too: a third curve that crosses two coincident ones at
+    /// a small angle meets them in places that are farther apart than they are.
+    fn cut_coincident(&mut self, crossing: [usize; 2], vertex: usize, tolerance: f64) {
         let p = self.at(vertex);
-        let lists = self.neighbors.get_or_init(|| Lists::of_pairs(self.boundaries.len(), self.pairs));
-        for k in lists.of(i).to_vec() {
-            let tolerance = self.pair_tolerance(i, k);
-            if lies_on(&self.boundaries[k].curve, p, tolerance) && self.known_at(k, p, tolerance).is_none() {
-                self.cut(k, vertex);
+        let around = Bounds::of([p]).grown(2.0 * tolerance);
+        let nearby = self.runs.boxes_meeting(around, self.effort);
+        for i in crossing {
+            for &k in nearby.iter().filter(|k| **k != i && self.runs.meet(i, **k)) {
+                let tolerance = self.pair_tolerance(i, k);
+                if lies_on(&self.boundaries[k].curve, p, tolerance) && self.known_at(k, p, tolerance).is_none() {
+                    self.cut(k, vertex);
+                }
             }
         }
     }
@@ -217,16 +227,16 @@ impl<'a> Arrangement<'a> {
     /// Whether two boundaries share a vertex and are one from there to a point where they cross: at a small angle they cross
     /// again beside it by rounding.
     fn meet_before(&self, i: usize, j: usize, p: DVec2, tolerance: f64) -> bool {
+        let [first, second] = [i, j].map(|k| &self.boundaries[k].curve);
         let vertex = |point: usize| self.vertex(point);
         let number = |k: &usize| self.cuts.get(k).map_or(0, |cuts| cuts.all().len());
         let (few, many) = if number(&i) <= number(&j) { (i, j) } else { (j, i) };
-        let of_few = ends(few).into_iter().chain(self.cuts.get(&few).map_or(&[][..], Cuts::all).iter().copied());
+        let of_few = self.vertices_near(few, p, reach_of_contact(first, second, p, tolerance));
         let is_shared = |vertex: &usize| {
             let mut others = self.vertices_near(many, self.points[*vertex], tolerance);
             others.any(|other| self.vertex(other) == *vertex)
         };
         let shared = of_few.map(vertex).filter(is_shared);
-        let [first, second] = [i, j].map(|k| &self.boundaries[k].curve);
         let apart = |vertex: usize| second.offset(first.project(self.points[vertex].midpoint(p))).abs();
         shared.into_iter().any(|vertex| apart(vertex) <= tolerance)
     }
@@ -289,11 +299,24 @@ impl<'a> Arrangement<'a> {
     }
 }
 
+/// How far from a point where two curves cross they may run within `tolerance` of each other half way there; infinite where
+/// they bend alike.
+fn reach_of_contact(first: &Curve, second: &Curve, p: DVec2, tolerance: f64) -> f64 {
+    let (n1, n2) = (first.normal_at(p), second.normal_at(p));
+    let (sin, sense) = (cross(n1, n2).abs(), n1.dot(n2).signum());
+    // At a distance s they are about s sin − s²/2 × the difference of their curvatures apart.
+    let bend = (first.curvature - sense * second.curvature).abs();
+    let square = sin * sin - 4.0 * bend * tolerance;
+    if square > 0.0 { 8.0 * tolerance / (sin + square.sqrt()) } else { f64::INFINITY }
+}
+
 /// Whether a point lies on a curve, strictly between its ends, within `tolerance`.
 pub(crate) fn lies_on(curve: &Curve, p: DVec2, tolerance: f64) -> bool {
-    if curve.offset(p).abs() > tolerance {
-        return false;
-    }
+    curve.offset(p).abs() <= tolerance && lies_between(curve, p)
+}
+
+/// Whether a point of a curve's line or circle lies strictly between its ends.
+pub(crate) fn lies_between(curve: &Curve, p: DVec2) -> bool {
     if curve.is_straight() {
         let along = curve.along(p);
         return 0.0 < along && along < curve.a.distance_squared(curve.b);

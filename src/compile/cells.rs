@@ -1,5 +1,6 @@
 //! Stretches of one medium that a few interfaces enclose.
 
+use crate::compile::effort::Effort;
 use crate::compile::leaders::Leaders;
 use crate::compile::lists::Lists;
 use crate::compile::outlook::is_behind;
@@ -9,17 +10,20 @@ use crate::system::{Cells, Interface, MediumId};
 
 /// A cell has at most this many interfaces: so many are looked at one by one faster than a search finds them.
 const MOST: usize = 12;
+/// Interfaces that are looked at to find cells, at most: what is found by then serves most rays.
+const MOST_LOOKED_AT: u64 = 200_000_000;
 
 /// Finds the cells of a system, `tree` being that of its interfaces.
 ///
 /// Sides of interfaces that share a vertex and a medium bound one stretch of it, or several that touch there; what encloses a
 /// finite area and holds no other boundary of its medium is a cell.
 pub(crate) fn cells(interfaces: &[Interface], tree: &CurveTree, near: f64) -> Cells {
-    let groups = groups(interfaces);
+    let (groups, effort) = (groups(interfaces), Effort::new(MOST_LOOKED_AT));
     let mut cells =
         Cells { of_sides: vec![[Cells::OPEN; 2]; interfaces.len()], begins: vec![0, 0], ..Cells::default() };
     let enclosing = groups.filled().map(|sides| (sides, walls(sides)));
-    let enclosing = enclosing.filter(|(sides, walls)| walls.len() <= MOST && encloses(interfaces, sides, walls, tree));
+    let enclosing =
+        enclosing.filter(|(sides, walls)| walls.len() <= MOST && encloses(interfaces, sides, walls, tree, &effort));
     let (convex, others): (Vec<_>, Vec<_>) =
         enclosing.partition(|(sides, walls)| is_convex(interfaces, sides, walls, near));
     cells.last_convex = number(convex.len());
@@ -49,7 +53,7 @@ fn walls(sides: &[usize]) -> Vec<u32> {
 }
 
 /// Whether sides that belong together enclose a finite stretch of their medium, with no other boundary of it inside.
-fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], tree: &CurveTree) -> bool {
+fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], tree: &CurveTree, effort: &Effort) -> bool {
     let bounds =
         walls.iter().map(|wall| Bounds::from(&interfaces[*wall as usize].curve)).fold(Bounds::EMPTY, Bounds::union);
     let about = bounds.center();
@@ -57,12 +61,13 @@ fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], tree: &Cur
         let area = signed_area(&interfaces[side / 2].curve, about);
         if side.is_multiple_of(2) { area } else { -area }
     };
-    if sides.iter().map(area).sum::<f64>() <= 0.0 {
+    if sides.iter().map(area).sum::<f64>() <= 0.0 || effort.is_spent() {
         return false;
     }
     let medium = medium_of(interfaces, sides[0]);
-    let mut encloses = true;
-    tree.meeting(bounds, |place| {
+    let (mut encloses, mut looked_at) = (true, 0);
+    let nodes = tree.meeting(bounds, |place| {
+        looked_at += 1;
         let Interface { curve, left, right, .. } = &interfaces[place];
         let is_other = (*left == medium || *right == medium) && walls.binary_search(&number(place)).is_err();
         if encloses && is_other {
@@ -72,6 +77,7 @@ fn encloses(interfaces: &[Interface], sides: &[usize], walls: &[u32], tree: &Cur
             encloses = around.count() % 2 == 0;
         }
     });
+    effort.spend(looked_at + nodes);
     encloses
 }
 

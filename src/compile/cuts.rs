@@ -7,7 +7,7 @@ use glam::DVec2;
 use crate::geometry::Curve;
 
 /// Most cuts to be looked at one by one.
-const FEW: usize = 16;
+pub(crate) const FEW: usize = 16;
 
 /// The points at which one boundary is cut, in the order in which they were found.
 #[derive(Default)]

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
+use crate::compile::effort::{Effort, Exhausted};
 use crate::compile::lists::Lists;
 use crate::geometry::{Bounds, Curve};
 use crate::system::Interface;
@@ -27,20 +28,30 @@ pub(crate) const MARGIN: f64 = 2.0 * THINNEST;
 /// is no boundary any more and makes no gap. Distances below `near` are rounding.
 ///
 /// `of_run` tells which interfaces lie on the boundaries of a run, and `neighbors` which runs come within [`MARGIN`].
-pub(crate) fn gaps(interfaces: &[Interface], of_run: &[usize], neighbors: &Lists, near: f64) -> Vec<Gap> {
-    let mut found = Found::default();
+pub(crate) fn gaps(
+    interfaces: &[Interface],
+    of_run: &[usize],
+    neighbors: &Lists,
+    near: f64,
+    effort: &Effort,
+) -> Result<Gaps, Exhausted> {
+    let mut found = Gaps::default();
     for run in 0..of_run.len() - 1 {
         for i in of_run[run]..of_run[run + 1] {
+            effort.check(i)?;
             let others = neighbors.of(run).iter().filter(|other| **other >= run);
             let others = others.flat_map(|other| of_run[*other]..of_run[other + 1]);
+            let mut looked_at = 0;
             for j in others.filter(|j| *j > i && interfaces[*j].body != interfaces[i].body) {
+                looked_at += 1;
                 if let Some(width) = width(&interfaces[i], &interfaces[j]).filter(|width| near < *width) {
                     found.add(interfaces[i].body, interfaces[j].body, width);
                 }
             }
+            effort.spend(looked_at / 4);
         }
     }
-    found.list
+    Ok(found)
 }
 
 /// The gap between two interfaces, if it is thin enough.
@@ -52,18 +63,27 @@ fn width(first: &Interface, second: &Interface) -> Option<f64> {
 
 /// Gaps in the order in which they were found, one for a pair of bodies.
 #[derive(Default)]
-struct Found {
-    list: Vec<Gap>,
+pub(crate) struct Gaps {
+    pub(crate) list: Vec<Gap>,
+    /// Whether there are more than the list may hold.
+    pub(crate) has_more: bool,
     places: HashMap<[usize; 2], usize>,
 }
 
-impl Found {
+impl Gaps {
+    /// Most gaps to be told.
+    pub(crate) const MOST: usize = 1000;
+
     fn add(&mut self, one: usize, other: usize, width: f64) {
         let (earlier, later) = (one.min(other), one.max(other));
-        let place = *self.places.entry([earlier, later]).or_insert(self.list.len());
-        match self.list.get_mut(place) {
-            Some(gap) => gap.width = gap.width.min(width),
-            None => self.list.push(Gap { earlier, later, width }),
+        if let Some(place) = self.places.get(&[earlier, later]) {
+            let gap = &mut self.list[*place];
+            gap.width = gap.width.min(width);
+        } else if self.list.len() < Self::MOST {
+            self.places.insert([earlier, later], self.list.len());
+            self.list.push(Gap { earlier, later, width });
+        } else {
+            self.has_more = true;
         }
     }
 }

@@ -5,9 +5,10 @@ use std::ops::Range;
 use glam::DVec2;
 
 use crate::compile::arrangement::{Boundary, Member, Piece, Pieces};
+use crate::compile::effort::{Effort, Exhausted};
 use crate::compile::lists::Lists;
 use crate::compile::region::{Region, Regions};
-use crate::compile::runs::Runs;
+use crate::compile::runs::{NODES, Runs};
 use crate::geometry::Curve;
 use crate::numerics::excess_length;
 use crate::scene::Surface;
@@ -21,6 +22,7 @@ pub(crate) struct Sides<'a> {
     pub(crate) regions: &'a Regions<'a>,
     pub(crate) outlines: &'a [OutlineRole],
     pub(crate) surroundings: MediumId,
+    pub(crate) effort: &'a Effort,
 }
 
 /// What an outline is there for.
@@ -39,16 +41,17 @@ pub(crate) fn is_interface(wall: &Interface) -> bool {
 
 impl Sides<'_> {
     /// The pieces with what lies on their sides, those between equal media too.
-    pub(crate) fn walls(&self, pieces: &Pieces) -> Vec<Interface> {
+    pub(crate) fn walls(&self, pieces: &Pieces) -> Result<Vec<Interface>, Exhausted> {
         let mut vertices = Vertices::default();
         let mut nearby = Nearby { run: None, regions: Vec::new() };
         let mut wall = |(k, piece): (usize, &Piece)| {
+            self.effort.check(piece.boundary)?;
             let curve = pieces.curve(self.boundaries, piece);
             self.find_regions(piece.boundary, &mut nearby);
             let [left, right] = self.media_beside(&pieces.members(k), curve.midpoint(), &nearby.regions);
             let (action, body) = self.role_of(pieces.members(k), &curve);
             let (ends, excess) = (piece.ends.map(|end| vertices.id(end)), excess_length(curve.n));
-            Interface { curve, ends, left, right, excess, action, body }
+            Ok(Interface { curve, ends, left, right, excess, action, body })
         };
         pieces.list.iter().enumerate().map(&mut wall).collect()
     }
@@ -58,7 +61,8 @@ impl Sides<'_> {
         if nearby.run.as_ref().is_none_or(|run| !run.contains(&boundary)) {
             let run = self.runs.run_of(boundary);
             // Its box is larger than boundaries that coincide are apart.
-            self.regions.near(self.neighbors.of(run), self.runs.around()[run], &mut nearby.regions);
+            let near = (self.neighbors.of(run), self.runs.around()[run]);
+            self.regions.near(near.0, near.1, &mut nearby.regions, self.effort);
             nearby.run = Some(self.runs.range(run));
         }
     }
@@ -70,13 +74,14 @@ impl Sides<'_> {
         middle: DVec2,
         regions: &[&Region],
     ) -> [MediumId; 2] {
-        let mut media = [None; 2];
+        let (mut media, mut looked_at) = ([None; 2], 0);
         for region in regions {
+            looked_at += 1;
             let mut own = members.clone().filter(|member| self.boundaries[member.boundary].outline == region.outline);
             let holds = match (own.next(), own.count() % 2) {
                 (Some(Member { forward, .. }), 0) => [true, false].map(|left| (region.inside_left == forward) == left),
                 // An outline that runs here there and back leaves both sides alike.
-                _ => [region.contains(middle); 2],
+                _ => [region.contains(middle, self.effort); 2],
             };
             for (medium, holds) in media.iter_mut().zip(holds) {
                 *medium = medium.or(holds.then_some(region.medium));
@@ -85,6 +90,7 @@ impl Sides<'_> {
                 break;
             }
         }
+        self.effort.spend(looked_at / NODES);
         media.map(|medium| medium.unwrap_or(self.surroundings))
     }
 

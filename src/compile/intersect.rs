@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use crate::compile::arrangement::lies_between;
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side};
 
@@ -33,57 +34,103 @@ fn line_line(first: &Curve, second: &Curve) -> Option<DVec2> {
     proper.then(|| second.a.lerp(second.b, from / (from - to)))
 }
 
+/// The points that two whole lines or circles have in common: where the first passes from the second's left to its right, and
+/// where from right to left.
+type Common = [DVec2; 2];
+
+/// Of the common points those inside both curves. The sides on which a curve's ends lie tell which of the points it holds: near
+/// an end, or near the chord of a flat arc, rounding misplaces the points themselves.
+fn on_both(first: &Curve, second: &Curve, common: Common) -> Vec<DVec2> {
+    let [down, up] = held(first, second, common);
+    // Where the first passes to the second's right, the second passes to the first's left.
+    let [second_up, second_down] = held(second, first, [common[1], common[0]]);
+    let points = common.into_iter().zip([down && second_down, up && second_up]);
+    points.filter(|(_, held)| *held).map(|(p, _)| second.clamp(first.clamp(p))).collect()
+}
+
+/// Which of the common points a curve holds, the first being where it passes from the other's left to its right.
+fn held(curve: &Curve, other: &Curve, common: Common) -> [bool; 2] {
+    let side_of_other = |p| if other.is_straight() { side(other.a, other.b, p) } else { other.offset(p) };
+    let [from, to] = [curve.a, curve.b].map(|end| side_of_other(end) > 0.0);
+    if from != to {
+        return [from, to];
+    }
+    let middle = common[0].midpoint(common[1]);
+    let has_both = if curve.is_straight() {
+        let is_outside = from == (other.curvature < 0.0);
+        is_outside && (0.0..curve.along(curve.b)).contains(&curve.along(middle))
+    } else {
+        curve.bulge_holds(middle)
+    };
+    [has_both; 2]
+}
+
 fn line_arc(line: &Curve, arc: &Curve, tolerance: f64) -> Vec<DVec2> {
     let direction = (line.b - line.a).normalize_or_zero();
-    let length = line.a.distance(line.b);
-    let on_both = |t: f64| {
-        let p = line.a + t * direction;
-        (0.0 < t && t < length && arc.bulge_holds(p)).then_some(p)
-    };
-    let roots = CircleRoots::new(arc, line.a, direction);
+    let at = |t: f64| line.a + t * direction;
     // The line's point nearest to the center: a touch is one point, not two close ones or none by rounding.
-    let middle = (arc.n + arc.curvature * (arc.m - line.a)).dot(direction) / arc.curvature;
-    let distances = if arc.offset(line.a + middle * direction).abs() <= tolerance {
-        vec![middle]
-    } else if roots.meets {
-        vec![roots.from_left, roots.from_right]
-    } else {
-        Vec::new()
-    };
-    distances.into_iter().filter_map(on_both).collect()
+    let middle = at((arc.n + arc.curvature * (arc.m - line.a)).dot(direction) / arc.curvature);
+    if arc.offset(middle).abs() <= tolerance {
+        let is_inside = [line, arc].into_iter().all(|curve| lies_between(curve, middle));
+        return is_inside.then_some(middle).into_iter().collect();
+    }
+    let polished = |t: f64| polish(line, arc, at(t));
+    roots(arc, line.a, direction).map_or_else(Vec::new, |distances| on_both(line, arc, distances.map(polished)))
+}
+
+/// Distances along a line at which it crosses an arc's circle, from the arc's left to its right first; `None` where they miss
+/// each other.
+fn roots(arc: &Curve, o: DVec2, d: DVec2) -> Option<[f64; 2]> {
+    let Curve { m, n, curvature, .. } = *arc;
+    let q = o - m;
+    let (b, c) = ((curvature * q - n).dot(d), (curvature * q - 2.0 * n).dot(q));
+    let square = b * b - curvature * c;
+    // Far from the circle the difference cancels; close to a flat one, along it, the sine of the angle between them is 1.
+    if (curvature * q).length_squared() > 1.0 || square <= 0.0 {
+        let roots = CircleRoots::new(arc, o, d);
+        return roots.meets.then_some([roots.from_left, roots.from_right]);
+    }
+    let root = square.sqrt();
+    let (less, more) = (-(b + root), root - b);
+    Some([if b <= 0.0 { more / curvature } else { c / less }, if b >= 0.0 { less / curvature } else { c / more }])
 }
 
 fn arc_arc(first: &Curve, second: &Curve, tolerance: f64) -> Vec<DVec2> {
-    let on_both = |p: &DVec2| first.bulge_holds(*p) && second.bulge_holds(*p);
-    let touch = touch(first, second, tolerance);
-    let points = if touch.is_some() { [touch, None] } else { circle_circle(first, second) };
-    points.into_iter().flatten().filter(on_both).collect()
-}
-
-/// The point where two circles touch within `tolerance`: on the line through their centers.
-fn touch(first: &Curve, second: &Curve, tolerance: f64) -> Option<DVec2> {
-    let (center, radius) = (first.center(), first.curvature.abs().recip());
-    let axis = (second.center() - center).normalize_or_zero();
-    let facing = [center + radius * axis, center - radius * axis].map(|p| first.project(p));
-    facing.into_iter().find(|p| second.offset(*p).abs() <= tolerance)
-}
-
-/// The two common points of two circles, each brought to rounding error by Newton steps on both circles at once.
-fn circle_circle(first: &Curve, second: &Curve) -> [Option<DVec2>; 2] {
-    let (c1, c2) = (first.center(), second.center());
-    let (r1, r2) = (first.curvature.abs().recip(), second.curvature.abs().recip());
-    let between = c2 - c1;
-    let distance = between.length();
-    let along = 0.5 * (distance + (r1 - r2) * (r1 + r2) / distance);
-    let across_squared = (r1 - along) * (r1 + along);
-    if !across_squared.is_finite() || across_squared < 0.0 {
-        return [None, None];
+    let (curved, flat) =
+        if first.curvature.abs() >= second.curvature.abs() { (first, second) } else { (second, first) };
+    let Some((foot, direction)) = radical_axis(curved, flat) else { return Vec::new() };
+    let at = |t: f64| foot + t * direction;
+    // Between the common points, or where the circles touch: on the line through their centers.
+    let middle = at((curved.n + curved.curvature * (curved.m - foot)).dot(direction) / curved.curvature);
+    let touch = first.project(middle);
+    if second.offset(touch).abs() <= tolerance {
+        let is_inside = [first, second].into_iter().all(|curve| lies_between(curve, touch));
+        return is_inside.then_some(touch).into_iter().collect();
     }
-    let axis = between / distance;
-    let (foot, across) = (c1 + along * axis, across_squared.sqrt() * axis.perp());
-    [foot + across, foot - across].map(|start| Some(polish(first, second, start)))
+    let Some(distances) = roots(curved, foot, direction) else { return Vec::new() };
+    let [p, q] = distances.map(|t| polish(first, second, at(t)));
+    let rise = |p: DVec2| first.tangent_at(p).dot(second.normal_at(p));
+    on_both(first, second, if rise(p) < rise(q) { [p, q] } else { [q, p] })
 }
 
+/// The line through the common points of two circles, by a point and a unit direction: the difference of their equations, in
+/// which nothing cancels when the flatter one's radius grows without bound. `None` for one center.
+fn radical_axis(curved: &Curve, flat: &Curve) -> Option<(DVec2, DVec2)> {
+    let about = curved.a;
+    // κ |q|² − 2 g·q + c = 0 with q = p − about.
+    let equation = |curve: &Curve| {
+        let m = curve.m - about;
+        (curve.n + curve.curvature * m, (curve.curvature * m + 2.0 * curve.n).dot(m))
+    };
+    let ((g, c), (h, d)) = (equation(flat), equation(curved));
+    let share = flat.curvature / curved.curvature;
+    let normal = g - share * h;
+    let square = normal.length_squared();
+    let foot = about + 0.5 * (c - share * d) / square * normal;
+    foot.is_finite().then(|| (foot, normal.perp() / square.sqrt()))
+}
+
+/// A common point of two curves brought to rounding error by Newton steps on both at once.
 fn polish(first: &Curve, second: &Curve, start: DVec2) -> DVec2 {
     let mut p = start;
     for _ in 0..4 {

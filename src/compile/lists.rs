@@ -14,12 +14,6 @@ impl Lists {
         Self { starts: vec![0], items: Vec::new() }
     }
 
-    /// The other's number with either one of each pair: ascending, where the pairs are sorted and the earlier comes first
-    /// in each.
-    pub(crate) fn of_pairs(count: usize, pairs: &[(usize, usize)]) -> Self {
-        Self::sorted(count, || pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]))
-    }
-
     /// Items by the list in which each belongs, in the order in which they come.
     pub(crate) fn sorted<I: Iterator<Item = (usize, usize)>>(count: usize, items: impl Fn() -> I) -> Self {
         let mut starts = vec![0; count + 1];

@@ -5,6 +5,7 @@ mod arrangement;
 mod cells;
 mod centered;
 mod cuts;
+mod effort;
 mod gaps;
 mod interfaces;
 mod intersect;
@@ -23,7 +24,8 @@ use std::collections::HashMap;
 use glam::DVec2;
 
 use crate::compile::arrangement::{Boundary, arrange};
-use crate::compile::gaps::{Gap, gaps};
+use crate::compile::effort::{Effort, Exhausted};
+use crate::compile::gaps::{Gap, Gaps, gaps};
 use crate::compile::interfaces::{OutlineRole, Sides, is_interface};
 use crate::compile::region::Regions;
 use crate::compile::runs::Runs;
@@ -32,6 +34,8 @@ use crate::geometry::{Bounds, Curve, CurveTree, Placement};
 use crate::media::Dispersion;
 use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
 use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, rounding};
+
+pub use effort::MAX_COMPARISONS;
 
 /// So many interfaces are looked at one by one faster than a search finds them.
 const FEW: usize = 16;
@@ -69,10 +73,13 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     }
     let origin = origin::origin(layout.bounds(scene));
     let boundaries = layout.boundaries(scene, origin);
+    let effort = &Effort::new(MAX_COMPARISONS);
+    let of_boundary = |spent: Exhausted| too_close(&layout.roles, boundaries[spent.at].outline);
     let runs = Runs::new(boundaries.iter().map(arrangement::bounds).collect());
-    let neighbors = runs.neighbors(gaps::MARGIN);
+    let neighbors = runs.neighbors(gaps::MARGIN, effort).map_err(of_boundary)?;
     let regions = Regions::new(&boundaries, &runs, &layout.media);
-    let pieces = arrange(&boundaries, &runs.pairs(&neighbors));
+    let pairs = runs.pairs(&neighbors, effort).map_err(of_boundary)?;
+    let pieces = arrange(&boundaries, &runs, &pairs, effort).map_err(of_boundary)?;
     let sides = Sides {
         boundaries: &boundaries,
         runs: &runs,
@@ -80,8 +87,9 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         regions: &regions,
         outlines: &layout.roles,
         surroundings,
+        effort,
     };
-    let mut walls = sides.walls(&pieces);
+    let mut walls = sides.walls(&pieces).map_err(of_boundary)?;
     let near = rounding(walls.iter().filter(|wall| is_interface(wall)), origin);
     let dropped: Vec<_> = (0..walls.len()).filter(|k| !is_interface(&walls[*k])).collect();
     let firsts = runs.firsts(pieces.list.iter().map(|piece| piece.boundary));
@@ -96,13 +104,17 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         surroundings,
         bodies: &scene.bodies,
         media: &media.list,
+        effort,
     };
-    let sources = scene.sources.iter().map(|source| ground.place(source)).collect();
+    let place = |(k, source)| ground.place(k, source).map_err(|_| too_close_to_start(k));
+    let sources = scene.sources.iter().enumerate().map(place).collect::<Result<_, _>>()?;
     let kept = pieces.list.iter().zip(&walls).filter(|(_, wall)| is_interface(wall));
     let firsts = runs.firsts(kept.map(|(piece, _)| piece.boundary));
     let dropped = ground.dropped.len();
     walls.retain(is_interface);
-    let warnings = gaps(&walls, &firsts, &neighbors, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
+    let gaps = gaps(&walls, &firsts, &neighbors, near, effort).map_err(|spent| crowded(walls[spent.at].body))?;
+    let mut warnings: Vec<_> = gaps.list.iter().map(|gap| gap_warning(scene, *gap)).collect();
+    warnings.extend(gaps.has_more.then(more_gaps));
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
     let (tree, cells) = where_rays_look(&walls, near);
     let system = OpticalSystem {
@@ -140,6 +152,30 @@ fn unplaced(problems: Vec<Problem>) -> Problems {
     Problems::new(problems, String::new(), String::new())
 }
 
+/// A scene whose outlines come near each other in too many places, by the body at which that was found.
+fn crowded(body: usize) -> Problem {
+    let message = format!(
+        "the edges of the bodies up to this one come near each other in too many places: to lay them out takes more than \
+         {MAX_COMPARISONS} comparisons"
+    );
+    let help = "use fewer edges, or move bodies apart: work grows with the square of what lies in one place";
+    Problem::error(format!("bodies[{body}]"), message, help).label("too much in one place")
+}
+
+/// The same by an outline.
+fn too_close(roles: &[OutlineRole], outline: usize) -> Problem {
+    crowded(roles.get(outline).map_or(0, |role| role.body))
+}
+
+/// The same by the source whose rays were to be placed among them.
+fn too_close_to_start(source: usize) -> Problem {
+    let message = format!(
+        "the rays up to this source's start among too many edges: to lay them out takes more than {MAX_COMPARISONS} comparisons"
+    );
+    let help = "use fewer rays, or move their starts away from where edges crowd";
+    Problem::error(format!("sources[{source}]"), message, help).label("too much in one place")
+}
+
 fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
     let name = |k: usize| display_name(&scene.bodies[k], k);
     let is_surface = |k: usize| matches!(scene.bodies[k].substance, Substance::Surface(_));
@@ -153,6 +189,11 @@ fn gap_warning(scene: &Scene, gap: Gap) -> Problem {
         format!("a gap or sliver of {:.2e} between `{}` and `{}`", gap.width, name(gap.earlier), name(gap.later)),
         format!("it is thinner than light (420 nm at 1 unit = 1 mm), and yet rays see it: {cure}"),
     )
+}
+
+fn more_gaps() -> Problem {
+    let message = format!("more bodies almost touch than the {} pairs that are told", Gaps::MOST);
+    Problem::warning("bodies", message, "move bodies apart, or give what shall touch the same coordinates")
 }
 
 /// A body's name, or `#k` for the k-th from 0.

@@ -5,7 +5,8 @@ use std::cmp::Reverse;
 use glam::DVec2;
 
 use crate::compile::arrangement::Boundary;
-use crate::compile::runs::Runs;
+use crate::compile::effort::Effort;
+use crate::compile::runs::{NODES, Runs};
 use crate::geometry::{Bounds, BoxTree, Curve};
 use crate::numerics::{cross, side};
 use crate::system::MediumId;
@@ -48,17 +49,19 @@ impl<'a> Region<'a> {
     /// Whether a point lies inside; either answer on the outline itself.
     ///
     /// Counts the chords that a ray towards +x crosses, in exact arithmetic, and the arcs' segments that hold the point.
-    pub(crate) fn contains(&self, p: DVec2) -> bool {
+    pub(crate) fn contains(&self, p: DVec2, effort: &Effort) -> bool {
         if !self.bounds.contains(p) {
             return false;
         }
         let count = |some: &[Boundary]| some.iter().filter(|boundary| crosses(&boundary.curve, p)).count();
         let Some(tree) = &self.tree else { return count(self.boundaries) % 2 == 1 };
-        let mut crossed = 0;
-        tree.meeting(Bounds { min: p, max: DVec2::new(self.bounds.max.x, p.y) }, |run| {
+        let (mut crossed, mut looked_at) = (0, 0);
+        let nodes = tree.meeting(Bounds { min: p, max: DVec2::new(self.bounds.max.x, p.y) }, |run| {
             let first = RUN * run;
             crossed += count(&self.boundaries[first..self.boundaries.len().min(first + RUN)]);
+            looked_at += 1;
         });
+        effort.spend((looked_at + nodes) / NODES);
         crossed % 2 == 1
     }
 }
@@ -105,13 +108,14 @@ impl<'a> Regions<'a> {
 
     /// Puts the regions into `found` that have boundaries in some runs or whose boxes share a point with `bounds`, the last
     /// one first.
-    pub(crate) fn near<'b>(&'b self, runs: &[usize], bounds: Bounds, found: &mut Vec<&'b Region<'a>>) {
+    pub(crate) fn near<'b>(&'b self, runs: &[usize], bounds: Bounds, found: &mut Vec<&'b Region<'a>>, effort: &Effort) {
         let mut places = Vec::new();
         for of_run in runs.iter().map(|run| &self.boundaries[self.runs.range(*run)]) {
             let outlines = of_run.chunk_by(|a, b| a.outline == b.outline).map(|of_outline| of_outline[0].outline);
             places.extend(outlines.filter_map(|outline| self.of_outline[outline]));
         }
-        self.tree.meeting(bounds, |k| places.push(self.large[k]));
+        let nodes = self.tree.meeting(bounds, |k| places.push(self.large[k]));
+        effort.spend((places.len() + nodes) / NODES);
         places.sort_unstable_by_key(|place| Reverse(*place));
         places.dedup();
         found.clear();
@@ -119,11 +123,13 @@ impl<'a> Regions<'a> {
     }
 
     /// The last region that holds a point.
-    pub(crate) fn at(&self, p: DVec2) -> Option<&Region<'a>> {
+    pub(crate) fn at(&self, p: DVec2, effort: &Effort) -> Option<&Region<'a>> {
         let (mut runs, mut found, here) = (Vec::new(), Vec::new(), Bounds { min: p, max: p });
-        self.runs.meeting(here, |run| runs.push(run));
-        self.near(&runs, here, &mut found);
-        found.into_iter().find(|region| region.contains(p))
+        let nodes = self.runs.meeting(here, |run| runs.push(run));
+        effort.spend(nodes / NODES);
+        self.near(&runs, here, &mut found, effort);
+        effort.spend(found.len() / NODES);
+        found.into_iter().find(|region| region.contains(p, effort))
     }
 }
 
@@ -154,6 +160,8 @@ mod tests {
 
     use super::*;
 
+    const MOST: u64 = 1_000_000;
+
     fn boundaries(curves: &[Curve]) -> Vec<Boundary> {
         curves.iter().map(|curve| Boundary { curve: *curve, reach: 1.0, outline: 0, along: 0.0 }).collect()
     }
@@ -168,9 +176,9 @@ mod tests {
         let crescent = Region::new(MediumId(0), &outline);
         assert!(crescent.inside_left);
         for (x, inside) in [(0.5, false), (1.5, true), (2.5, false), (-0.5, false)] {
-            assert_eq!(crescent.contains(DVec2::new(x, 0.0)), inside, "x = {x}");
+            assert_eq!(crescent.contains(DVec2::new(x, 0.0), &Effort::new(MOST)), inside, "x = {x}");
         }
-        assert!(crescent.contains(DVec2::new(0.1, 2.9)));
+        assert!(crescent.contains(DVec2::new(0.1, 2.9), &Effort::new(MOST)));
     }
 
     #[test]
@@ -179,7 +187,10 @@ mod tests {
         let outline = boundaries(&[Curve::line(a, b), Curve::line(b, c), Curve::line(c, a)]);
         let triangle = Region::new(MediumId(0), &outline);
         assert!(!triangle.inside_left);
-        assert!(triangle.contains(DVec2::splat(0.25)) && !triangle.contains(DVec2::splat(0.75)));
+        assert!(
+            triangle.contains(DVec2::splat(0.25), &Effort::new(MOST))
+                && !triangle.contains(DVec2::splat(0.75), &Effort::new(MOST))
+        );
     }
 
     #[test]
@@ -189,7 +200,9 @@ mod tests {
             let outline = boundaries(&[Curve::arc_from_bulge(a, b, 1.0), Curve::arc_from_bulge(b, a, 1.0)]);
             let disk = Region::new(MediumId(0), &outline);
             assert!(
-                disk.contains(a.lerp(b, 0.25)) && !disk.contains(a.lerp(b, -0.25)) && !disk.contains(b.lerp(a, -0.25))
+                disk.contains(a.lerp(b, 0.25), &Effort::new(MOST))
+                    && !disk.contains(a.lerp(b, -0.25), &Effort::new(MOST))
+                    && !disk.contains(b.lerp(a, -0.25), &Effort::new(MOST))
             );
         }
     }
@@ -205,8 +218,8 @@ mod tests {
         let plain = Region { tree: None, ..star.clone() };
         for k in 0..900 {
             let p = DVec2::new(f64::from(k % 30), f64::from(k / 30)) * 0.2 - 3.0;
-            assert_eq!(star.contains(p), plain.contains(p), "{p}");
+            assert_eq!(star.contains(p, &Effort::new(MOST)), plain.contains(p, &Effort::new(MOST)), "{p}");
         }
-        assert!(star.contains(DVec2::ZERO));
+        assert!(star.contains(DVec2::ZERO, &Effort::new(MOST)));
     }
 }

@@ -3,9 +3,10 @@
 use glam::DVec2;
 
 use crate::compile::arrangement::{lies_on, tolerance};
+use crate::compile::effort::{Effort, Exhausted};
 use crate::compile::interfaces::is_interface;
 use crate::compile::region::Regions;
-use crate::compile::runs::Runs;
+use crate::compile::runs::{NODES, Runs};
 use crate::geometry::{Bounds, Curve};
 use crate::light::{Power, Wavelength};
 use crate::media::Dispersion;
@@ -29,6 +30,7 @@ pub(crate) struct Ground<'a> {
     pub(crate) surroundings: MediumId,
     pub(crate) bodies: &'a [Body],
     pub(crate) media: &'a [Dispersion],
+    pub(crate) effort: &'a Effort,
 }
 
 /// The points that a source's rays start from.
@@ -86,7 +88,7 @@ pub(crate) fn unit(v: DVec2) -> DVec2 {
 
 impl Ground<'_> {
     /// Lays out the rays of a source.
-    pub(crate) fn place(&self, source: &Source) -> PlacedSource {
+    pub(crate) fn place(&self, number: usize, source: &Source) -> Result<PlacedSource, Exhausted> {
         let (rays, object) = match source.light {
             Light::Object { from, to } => {
                 let (directions, object) = self.object(source, from, to).unzip();
@@ -95,7 +97,8 @@ impl Ground<'_> {
             }
             _ => (rays(&source.light, self.origin), None),
         };
-        let starts: Vec<_> = rays.into_iter().map(|(p, d)| self.start(p, d)).collect();
+        let start = |(p, d)| self.effort.check(number).map(|()| self.start(p, d));
+        let starts = rays.into_iter().map(start).collect::<Result<Vec<_>, _>>()?;
         let lines: Vec<_> = source.spectrum.lines().filter_map(Wavelength::from_nanometers).collect();
         #[expect(clippy::cast_precision_loss, reason = "ray counts are far below 2^53")]
         let power = source.power / (starts.len() as f64 * lines.len() as f64);
@@ -104,7 +107,7 @@ impl Ground<'_> {
             Polarization::S => Power { s: power, p: 0.0 },
             Polarization::P => Power { s: 0.0, p: power },
         };
-        PlacedSource { starts, lines, power, object }
+        Ok(PlacedSource { starts, lines, power, object })
     }
 
     /// The medium that a ray starts in, and the boundary it starts on and must not hit there.
@@ -122,7 +125,8 @@ impl Ground<'_> {
         let mut places = Vec::new();
         let margin = self.near + tolerance(self.reach(p));
         let around = Bounds { min: p, max: p }.grown(margin);
-        self.runs.meeting(around, |run| places.extend(self.firsts[run]..self.firsts[run + 1]));
+        let nodes = self.runs.meeting(around, |run| places.extend(self.firsts[run]..self.firsts[run + 1]));
+        self.effort.spend((places.len() + nodes) / NODES);
         places.sort_unstable();
         places
     }
@@ -136,7 +140,7 @@ impl Ground<'_> {
             let turn = if curve.is_straight() { side(curve.a, curve.b, p) } else { curve.offset(p) };
             return if turn > 0.0 { *left } else { *right };
         }
-        self.regions.at(p).map_or(self.surroundings, |region| region.medium)
+        self.regions.at(p, self.effort).map_or(self.surroundings, |region| region.medium)
     }
 
     /// Largest absolute coordinate of a point, relative to the origin or in the scene.

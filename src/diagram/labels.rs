@@ -3,6 +3,7 @@ use glam::DVec2;
 use crate::diagram::room::{CROSSING, Room, centered};
 use crate::diagram::{Figure, bodies, outline, surfaces};
 use crate::drawing::{Anchor, Color, Item, Rect, Text};
+use crate::light::Wavelength;
 use crate::scene::{Medium, Substance, Surface};
 
 const SIZE: f64 = 12.0;
@@ -19,17 +20,23 @@ const APART: f64 = 10.0;
 /// Free space between a label and lines, pixels.
 const OFF_LINES: f64 = 6.0;
 
-/// Every body's label, or else its name, inside where there is room and beside it where not.
-pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room) -> Vec<Item> {
+/// Every body's label, or else its name, inside where there is room and beside it where not; and how many bodies are left out,
+/// where there are so many that the search for places would take too long.
+pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room) -> (Vec<Item>, usize) {
     if !figure.scene.diagram.labels {
-        return Vec::new();
+        return (Vec::new(), 0);
     }
+    let line = only_line(figure);
     let mut homes = Homes { boxes: shapes.iter().map(|shapes| seen(shapes, &room.area)).collect(), own: 0 };
     let mut items: Vec<Item> = Vec::new();
     for k in 0..shapes.len() {
+        if room.is_spent() {
+            let has_words = |k: &usize| words(figure, *k).is_some() || words_with_index(figure, *k, line).is_some();
+            return (items, (k..shapes.len()).filter(has_words).count());
+        }
         homes.own = k;
         let with_index = || {
-            let [words, index] = words_with_index(figure, k)?;
+            let [words, index] = words_with_index(figure, k, line)?;
             let is_named = !words.is_empty();
             let one_line = text(figure, k, &words).then(&format!("{}{index}", if is_named { ", " } else { "" }));
             let two_lines = [words, index].map(|words| text(figure, k, &words));
@@ -46,13 +53,12 @@ pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room
         }
     }
     items.extend(surroundings(figure, shapes, room));
-    items
+    (items, 0)
 }
 
 /// What stands around the bodies, if that is not empty space or air, in a corner of the frame.
 fn surroundings(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room) -> Option<Item> {
-    let [line] = figure.system.wavelengths()[..] else { return None };
-    let index = figure.system.index(figure.system.surroundings(), line);
+    let index = figure.system.index(figure.system.surroundings(), only_line(figure)?);
     let is_told = figure.scene.notes.iter().any(|note| note.text.contains("n ="));
     if index < GAS || is_told {
         return None;
@@ -86,7 +92,7 @@ fn text(figure: &Figure<'_>, k: usize, words: &str) -> Text {
 /// Lines of text, one below the other, in a good place inside of their body, if there is one.
 fn place_inside(lines: &[Text], k: usize, shapes: &[Vec<Shape>], room: &Room) -> Option<Vec<Text>> {
     let about = lined_up(lines, DVec2::ZERO).iter().map(Text::bounds).reduce(union)?;
-    let (cost, middle) = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, &room.area), OFF_LINES)?;
+    let (cost, middle) = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, room), OFF_LINES)?;
     (cost < GOOD).then(|| lined_up(lines, middle))
 }
 
@@ -101,9 +107,11 @@ fn lined_up(lines: &[Text], middle: DVec2) -> Vec<Text> {
 fn place(text: &Text, homes: &Homes, shapes: &[Vec<Shape>], room: &Room) -> Option<(f64, Text)> {
     let k = homes.own;
     let about = centered(text, DVec2::ZERO).bounds();
-    let inside = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, &room.area), OFF_LINES);
+    let inside = room.best_for(about, &inside(&shapes[k], &shapes[k + 1..], about, room), OFF_LINES);
     let place = inside.filter(|(cost, _)| *cost < GOOD).or_else(|| {
         let places = homes.near(beside(&shapes[k], text, &room.area), &shapes[k], text);
+        let chords: usize = shapes[k].iter().map(|shape| shape.points.len()).sum();
+        room.spend(places.len() * (homes.boxes.len() + RIM * chords));
         let beside = room.best(text, &places, OFF_LINES);
         [inside, beside].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
     });
@@ -120,12 +128,16 @@ fn words<'a>(figure: &'a Figure<'_>, k: usize) -> Option<&'a str> {
     body.label.as_deref().or(body.name.as_deref()).filter(|words| !words.trim().is_empty())
 }
 
+/// The wavelength of all light, if it is one.
+fn only_line(figure: &Figure<'_>) -> Option<Wavelength> {
+    if let [line] = figure.system.wavelengths()[..] { Some(line) } else { None }
+}
+
 /// A medium's name and its index at the scene's one wavelength; the index alone where nothing else names the medium.
-fn words_with_index(figure: &Figure<'_>, k: usize) -> Option<[String; 2]> {
+fn words_with_index(figure: &Figure<'_>, k: usize, line: Option<Wavelength>) -> Option<[String; 2]> {
     let outlines = &figure.system.bodies()[k].outlines;
     let medium = outlines.first()?.medium?;
-    let [line] = figure.system.wavelengths()[..] else { return None };
-    let index = figure.system.index(medium, line);
+    let index = figure.system.index(medium, line?);
     let (body, is_alike) = (figure.scene.bodies.get(k)?, outlines.iter().all(|one| one.medium == Some(medium)));
     if !is_alike || index <= 1.0 {
         return None;
@@ -179,19 +191,27 @@ pub(super) fn chords(shapes: &[Vec<Shape>]) -> impl Iterator<Item = [DVec2; 2]> 
 }
 
 /// Middles of places inside a body's outline where words with this rectangle fit as a whole and no later body covers them.
-fn inside(shapes: &[Shape], later: &[Vec<Shape>], about: Rect, area: &Rect) -> Vec<(f64, DVec2)> {
+fn inside(shapes: &[Shape], later: &[Vec<Shape>], about: Rect, room: &Room) -> Vec<(f64, DVec2)> {
     let mut places = Vec::new();
     let about = about.grown(3.0);
     for shape in shapes.iter().filter(|shape| shape.filled) {
-        let Some(bounds) = seen([shape], area) else { continue };
+        let Some(bounds) = seen([shape], &room.area) else { continue };
+        // What lies elsewhere hides nothing of it.
+        room.spend(later.len());
+        let later: Vec<_> = later.iter().flatten().filter(|other| other.bounds.overlaps(&bounds)).collect();
         // A little below the middle is the natural place: light mostly crosses the middle.
         let home = bounds.center() + DVec2::new(0.0, 0.15 * bounds.size().y);
         for (column, row) in (1..12).flat_map(|column| (1..16).map(move |row| (column, row))) {
             let share = DVec2::new(f64::from(column) / 12.0, f64::from(row) / 16.0);
             let middle = bounds.min + share * bounds.size();
             let rect = about.moved(middle);
+            room.spend(RIM * shape.points.len());
+            let is_free = |other: &&Shape| {
+                room.spend(RIM * other.points.len());
+                !covers(other, &rect)
+            };
             let fits = rim(&rect).into_iter().all(|p| contains(shape, p));
-            if fits && !later.iter().flatten().any(|other| covers(other, &rect)) {
+            if fits && later.iter().copied().all(|other| is_free(&other)) {
                 places.push(((middle - home).length() / bounds.size().max_element(), middle));
             }
         }
@@ -255,7 +275,10 @@ fn union(a: Rect, b: Rect) -> Rect {
     Rect { min: a.min.min(b.min), max: a.max.max(b.max) }
 }
 
-fn rim(rect: &Rect) -> [DVec2; 8] {
+/// Points that stand for a rectangle.
+const RIM: usize = 8;
+
+fn rim(rect: &Rect) -> [DVec2; RIM] {
     let (a, b, c) = (rect.min, rect.max, rect.center());
     [
         a,

@@ -23,6 +23,8 @@ struct Marks {
     protractors: Vec<Aged>,
     labels: Vec<Item>,
     object_labels: Vec<Aged>,
+    /// Bodies whose labels are left out.
+    unlabeled: usize,
     below: Vec<Text>,
 }
 
@@ -60,6 +62,7 @@ pub(super) fn layers(figure: &mut Figure<'_>, spared: usize) -> (Vec<Item>, Vec<
     let mut below: Vec<_> = marks.below.into_iter().map(|text| Entry { sample: None, text }).collect();
     if settings.legend {
         below.extend(legend::legend(figure, spared));
+        below.extend(legend::unlabeled(figure, marks.unlabeled));
     }
     (stack.layers, below)
 }
@@ -98,7 +101,9 @@ fn marks(figure: &Figure<'_>, is_uncrowded: bool) -> Marks {
     marks.labels = cardinal::letters(figure, &mut room);
     marks.object_labels = objects::words(figure, &mut room);
     marks.protractors = protractors.iter().flat_map(|protractor| protractor.items(figure, &mut room)).collect();
-    marks.labels.extend(labels::labels(figure, &shapes, &mut room));
+    let (labels, unlabeled) = labels::labels(figure, &shapes, &mut room);
+    marks.labels.extend(labels);
+    marks.unlabeled = unlabeled;
     marks
 }
 

@@ -36,6 +36,13 @@ pub(super) fn legend(figure: &Figure<'_>, spared: usize) -> Vec<Entry> {
     entries
 }
 
+/// The entry for bodies whose labels are left out, if there are any.
+pub(super) fn unlabeled(figure: &Figure<'_>, count: usize) -> Option<Entry> {
+    let bodies = if count == 1 { "body" } else { "bodies" };
+    let words = format!("too many labels: those of {count} {bodies} are not drawn");
+    (count > 0).then(|| Entry { sample: None, text: text(figure, &words) })
+}
+
 /// Whether some branch carries so little that the legend will have something to tell.
 pub(super) fn has_weak_branches(scene: &Scene, tree: &RayTree) -> bool {
     let weak = STRONG_SHARES[1];

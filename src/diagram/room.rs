@@ -1,5 +1,6 @@
 //! Where words may stand.
 
+use std::cell::Cell;
 use std::ops::Range;
 
 use glam::DVec2;
@@ -11,6 +12,8 @@ use crate::numerics::cross;
 
 /// Lines beyond this many are not kept free.
 const MOST_LINES: usize = 3000;
+/// Comparisons of places with what is near, for all words of a figure: about a second.
+const MOST_COMPARISONS: usize = 500_000_000;
 /// Cost of words on words or off the frame: such a place is never taken.
 const FORBIDDEN: f64 = 1e6;
 /// Cost of a line through words.
@@ -25,6 +28,8 @@ pub(super) struct Room {
     lines: Vec<[DVec2; 2]>,
     rays: Range<usize>,
     taken: Vec<Rect>,
+    /// How many comparisons the search for places took.
+    effort: Cell<usize>,
     /// Points that have values about them.
     pub(super) anchors: Vec<DVec2>,
 }
@@ -39,7 +44,24 @@ impl Room {
         let rays = outlines..lines.len();
         let notes = notes::notes(figure).into_iter();
         let bounds = |item| if let Item::Text(text) = item { Some(text.bounds().grown(APART)) } else { None };
-        Self { area: figure.frame.area, lines, rays, taken: notes.filter_map(bounds).collect(), anchors: Vec::new() }
+        Self {
+            area: figure.frame.area,
+            lines,
+            rays,
+            taken: notes.filter_map(bounds).collect(),
+            effort: Cell::new(0),
+            anchors: Vec::new(),
+        }
+    }
+
+    /// Takes note of comparisons.
+    pub(super) fn spend(&self, comparisons: usize) {
+        self.effort.set(self.effort.get().saturating_add(comparisons));
+    }
+
+    /// Whether the search for places has taken so many comparisons that more words would keep the figure waiting.
+    pub(super) fn is_spent(&self) -> bool {
+        self.effort.get() > MOST_COMPARISONS
     }
 
     /// No more words here.
@@ -96,6 +118,7 @@ impl Room {
         let rects: Vec<Rect> = places.iter().map(|(_, p)| about.moved(*p)).collect();
         let all = rects.iter().copied().reduce(|a, b| Rect { min: a.min.min(b.min), max: a.max.max(b.max) })?;
         let near: Vec<_> = self.lines.iter().filter(|line| crosses(line, &all.grown(off))).collect();
+        self.spend(self.lines.len() + places.len() * (near.len() + self.taken.len()));
         let costs = places.iter().zip(&rects).map(|((cost, p), rect)| (cost + self.cost(rect, &near, off), *p));
         costs.filter(|(cost, _)| *cost < FORBIDDEN).min_by(|a, b| a.0.total_cmp(&b.0))
     }

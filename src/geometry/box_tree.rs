@@ -54,12 +54,13 @@ impl BoxTree {
         tree
     }
 
-    /// Visits the boxes that share a point with `bounds`.
-    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
+    /// Visits the boxes that share a point with `bounds`; returns how many nodes were looked at.
+    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) -> usize {
         let (min, max) = (self.local(bounds.min), self.local(bounds.max));
-        let mut waiting = vec![0];
+        let (mut waiting, mut looked_at) = (vec![0], 0);
         while let Some(place) = waiting.pop() {
             let Some(node) = self.nodes.get(place as usize) else { continue };
+            looked_at += 1;
             for slot in 0..4 {
                 let meets = |axis: usize| {
                     let [low, high] = node.ends[axis].map(|ends| ends[slot]);
@@ -72,6 +73,7 @@ impl BoxTree {
                 }
             }
         }
+        looked_at
     }
 
     /// Visits the boxes that a line meets at a distance of at least `begin` from its point `from` along the unit vector

@@ -34,9 +34,9 @@ impl CurveTree {
         Self { runs, ends }
     }
 
-    /// Visits at least the curves whose boxes share a point with `bounds`.
-    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
-        self.runs.meeting(bounds, |run| self.runs.range(run).for_each(&mut visit));
+    /// Visits at least the curves whose boxes share a point with `bounds`; returns how many nodes of the tree were looked at.
+    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) -> usize {
+        self.runs.meeting(bounds, |run| self.runs.range(run).for_each(&mut visit))
     }
 
     /// The curves in runs, by their places.

@@ -62,12 +62,12 @@ impl RunTree {
         firsts
     }
 
-    /// Visits every run that shares a point with `bounds`.
-    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) {
+    /// Visits every run that shares a point with `bounds`; returns how many nodes of the tree were looked at.
+    pub(crate) fn meeting(&self, bounds: Bounds, mut visit: impl FnMut(usize)) -> usize {
         self.tree.meeting(bounds, |run| {
             if self.around[run].meets(bounds) {
                 visit(run);
             }
-        });
+        })
     }
 }

@@ -86,7 +86,9 @@ impl OpticalSystem {
     /// Visits at least every interface that passes through or ends at a point, relative to the origin.
     pub(crate) fn near_point(&self, p: DVec2, visit: impl FnMut(usize)) {
         match &self.tree {
-            Some(tree) => tree.meeting(Bounds::of([p]), visit),
+            Some(tree) => {
+                tree.meeting(Bounds::of([p]), visit);
+            }
             None => (0..self.interfaces.len()).for_each(visit),
         }
     }

@@ -11,6 +11,9 @@ use crate::trace::hit::{Arrival, Outcome, Transmitted};
 use crate::trace::nearest::beyond;
 use crate::trace::{Crossing, Ending, Ray, Search, Segment, SegmentId, Via, Work};
 
+/// A segment that looks at more nodes of the search tree counts as several, so that `max_segments` bounds the work.
+const NODES_PER_SEGMENT: u64 = 1024;
+
 /// A branch that waits to be followed; positions relative to the system's origin.
 #[derive(Clone, Copy)]
 struct Branch {
@@ -165,10 +168,12 @@ impl<'a> Tracer<'a> {
             return None;
         }
         self.segments_left -= 1;
+        let nodes = self.search.nodes;
         let mut crossing = self.search.find(&branch.ray);
         if branch.parent.is_none() && crossing.is_none() && medium != self.system.surroundings {
             (medium, crossing) = self.meet_beyond(branch.ray);
         }
+        self.segments_left -= ((self.search.nodes - nodes) / NODES_PER_SEGMENT).min(self.segments_left);
         match crossing {
             Some(crossing) => self.arrive(record, id, branch, medium, &crossing),
             None => {

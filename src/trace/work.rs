@@ -4,7 +4,8 @@ use crate::trace::Ending;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Work {
-    /// Segments followed to their ends.
+    /// Segments followed to their ends, as `max_segments` counts them: one that looks at thousands of nodes of the search tree counts
+    /// as several.
     pub followed: u64,
     /// Of these, segments at lines that take the way of another line and were not traced again.
     pub spared: u64,

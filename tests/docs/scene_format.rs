@@ -108,6 +108,7 @@ fn the_reference_names_every_limit() {
         scene::MAX_LINES as u64,
         scene::MAX_NOTES as u64,
         scene::MAX_OBJECTS as u64,
+        snellius::compile::MAX_COMPARISONS,
     ];
     for limit in whole.map(grouped) {
         assert!(limits.contains(&format!("| {limit} ")), "{limit}");

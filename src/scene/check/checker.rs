@@ -13,6 +13,8 @@ impl<T: Display + Copy> Text for T {}
 #[derive(Debug, Default)]
 pub(super) struct Checker {
     pub(super) problems: Vec<Problem>,
+    /// Comparisons of curves with each other, to see whether outlines meet themselves.
+    pub(super) comparisons: usize,
 }
 
 impl Checker {

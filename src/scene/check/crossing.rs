@@ -8,8 +8,8 @@ use robust::{Coord, orient2d};
 use crate::geometry::{Bounds, Curve};
 use crate::numerics::cross;
 
-/// Most comparisons before a chain is given up.
-const MOST_STEPS: usize = 100_000_000;
+/// Most comparisons for all chains of a scene before one is given up.
+pub(super) const MOST_STEPS: usize = 100_000_000;
 
 /// Most curves that are looked at one by one.
 const FEW: usize = 16;
@@ -23,10 +23,10 @@ pub(super) enum Fault {
     TooTangled,
 }
 
-/// The first fault of a closed chain in which each curve begins where the one before ends.
+/// The first fault of a closed chain in which each curve begins where the one before ends. `steps` counts comparisons.
 ///
 /// Chains whose neighbors lie close together take n log n steps; others are given up after about a second.
-pub(super) fn first_fault(curves: &[Curve]) -> Option<Fault> {
+pub(super) fn first_fault(curves: &[Curve], steps: &mut usize) -> Option<Fault> {
     let mut tree = Tree::new(curves);
     let last = curves.len().saturating_sub(1);
     (0..curves.len()).find_map(|i| {
@@ -36,8 +36,8 @@ pub(super) fn first_fault(curves: &[Curve]) -> Option<Fault> {
             (_, 0) if j == last => folds_back(&curves[j], &curves[i]),
             _ => meet(&curves[i], &curves[j]),
         };
-        let first = tree.first(tree.boxes_of(i), i + 1, meets);
-        let tangled = (tree.steps > MOST_STEPS).then_some(Fault::TooTangled);
+        let first = tree.first(tree.boxes_of(i), i + 1, meets, steps);
+        let tangled = (*steps > MOST_STEPS).then_some(Fault::TooTangled);
         first.map(|j| Fault::Meet(i, j)).or(tangled)
     })
 }
@@ -46,7 +46,6 @@ pub(super) fn first_fault(curves: &[Curve]) -> Option<Fault> {
 struct Tree {
     boxes: Vec<Bounds>,
     leaves: usize,
-    steps: usize,
     /// Nodes still to be looked at, and how many leaves each has; kept for its memory.
     waiting: Vec<(usize, usize)>,
 }
@@ -62,7 +61,7 @@ impl Tree {
         for k in (1..leaves).rev() {
             boxes[k] = boxes[2 * k].union(boxes[2 * k + 1]);
         }
-        Self { boxes, leaves, steps: 0, waiting: Vec::new() }
+        Self { boxes, leaves, waiting: Vec::new() }
     }
 
     fn boxes_of(&self, i: usize) -> Bounds {
@@ -70,7 +69,7 @@ impl Tree {
     }
 
     /// The first curve from number `from` on whose box meets `bounds` and that passes the test.
-    fn first(&mut self, bounds: Bounds, from: usize, test: impl Fn(usize) -> bool) -> Option<usize> {
+    fn first(&mut self, bounds: Bounds, from: usize, test: impl Fn(usize) -> bool, steps: &mut usize) -> Option<usize> {
         if self.leaves <= FEW {
             let mut others = from..self.leaves;
             return others.find(|j| self.boxes_of(*j).meets(bounds) && test(*j));
@@ -78,7 +77,7 @@ impl Tree {
         self.waiting.clear();
         self.waiting.push((1, self.leaves));
         while let Some((node, width)) = self.waiting.pop() {
-            self.steps += 1;
+            *steps += 1;
             let end = (node * width) + width - self.leaves;
             if end <= from || !self.boxes[node].meets(bounds) {
                 continue;
@@ -167,7 +166,7 @@ mod tests {
     use super::*;
 
     fn first_crossing(curves: &[Curve]) -> Option<(usize, usize)> {
-        first_fault(curves).map(|fault| match fault {
+        first_fault(curves, &mut 0).map(|fault| match fault {
             Fault::Meet(i, j) => (i, j),
             Fault::TooTangled => panic!("{fault:?}"),
         })
@@ -221,7 +220,13 @@ mod tests {
         };
         let mut points: Vec<(f64, f64)> = (0..60_000).map(tooth).collect();
         points.push((-1e6, -1e6));
-        assert_eq!(first_fault(&chain(&points)), Some(Fault::TooTangled));
+        assert_eq!(first_fault(&chain(&points), &mut 0), Some(Fault::TooTangled));
+        // All chains of a scene share what they may take.
+        points.truncate(6_000);
+        points.push((-1e6, -1e6));
+        let (chain, mut steps) = (chain(&points), 0);
+        assert_eq!(first_fault(&chain, &mut steps), None);
+        assert_eq!(first_fault(&chain, &mut (MOST_STEPS - steps / 2)), Some(Fault::TooTangled));
     }
 
     #[test]
