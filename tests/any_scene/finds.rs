@@ -1,0 +1,1 @@
+//! Scenes that went wrong once, each the smallest that showed it.
