@@ -116,7 +116,9 @@ impl Generator<'_> {
         } else {
             DVec2::new(self.coordinate(), self.coordinate())
         };
-        self.points.push(p);
+        if p.is_finite() {
+            self.points.push(p);
+        }
         p
     }
 
@@ -130,7 +132,9 @@ impl Generator<'_> {
             }
         };
         let length = self.extreme(usual);
-        self.lengths.push(length);
+        if length.is_finite() {
+            self.lengths.push(length);
+        }
         length
     }
 
@@ -294,7 +298,7 @@ impl Generator<'_> {
 
     fn diagram(&mut self) -> DiagramSettings {
         let is_set = |g: &mut Self, by_default| g.one_in(4) != by_default;
-        let size = if self.one_in(4) { [[16, 16], [16_384, 16], [960, 540]][self.below(3)] } else { [96, 64] };
+        let size = [[320, 200], [16, 16], [72, 54], [16_384, 16]][if self.one_in(3) { self.below(4) } else { 0 }];
         let view = if self.one_in(6) { View::Box(self.point(), self.point()) } else { View::Auto };
         let theme = [Theme::Light, Theme::Dark, Theme::Print][self.below(3)];
         let color = [RayColor::Auto, RayColor::Wavelength, RayColor::Power, RayColor::Via][self.below(4)];

@@ -7,7 +7,7 @@ use snellius::trace::{Trace, TracedRay};
 use snellius::{OpticalSystem, Scene, diagram, explain as explanation, render, report};
 
 /// Figures of more pixels are not painted: that takes long.
-const MOST_PIXELS: u32 = 20_000;
+const MOST_PIXELS: u32 = 4000;
 
 /// Holds all that is shown of a trace to its form.
 pub fn whole(scene: &Scene, system: &OpticalSystem, trace: &Trace) {
@@ -46,7 +46,10 @@ fn json(system: &OpticalSystem, trace: &Trace) {
     let length = |value: &Value| value.as_array().expect("a list").len() as u64;
     let rays = whole.as_object_mut().expect("an object").remove("rays").expect("rays");
     let segments: u64 = rays.as_array().expect("a list").iter().map(|ray| length(&ray["segments"])).sum();
-    assert_eq!((whole["counts"]["rays"].as_u64(), whole["counts"]["segments"].as_u64()), (Some(length(&rays)), Some(segments)));
+    assert_eq!(
+        (whole["counts"]["rays"].as_u64(), whole["counts"]["segments"].as_u64()),
+        (Some(length(&rays)), Some(segments))
+    );
     assert_eq!((length(&rays), segments), (trace.summary.rays, trace.summary.segments));
     assert_eq!(whole, read(&report::summary_json(system, &trace.summary)));
 }

@@ -70,7 +70,8 @@ fn shape(shape: &Shape) -> String {
         Shape::Disk { radius } => format!("Disk({radius:?})"),
         Shape::HalfDisk { radius } => format!("HalfDisk({radius:?})"),
         Shape::Lens { radii: [left, right], thickness, diameter, facets } => {
-            let mut out = format!("Lens(radii: ({left:?}, {right:?}), thickness: {thickness:?}, diameter: {diameter:?}");
+            let mut out =
+                format!("Lens(radii: ({left:?}, {right:?}), thickness: {thickness:?}, diameter: {diameter:?}");
             optional(&mut out, "facets", *facets);
             out + ")"
         }
@@ -156,9 +157,7 @@ fn tracing(trace: &TraceSettings) -> String {
         SecondaryRays::Fixed { kr, kt } => format!("Fixed(kr: {kr:?}, kt: {kt:?})"),
         SecondaryRays::Fresnel | SecondaryRays::TransmittedOnly => format!("{secondary_rays:?}"),
     };
-    format!(
-        "(secondary_rays: {rays}, max_depth: {max_depth}, min_power: {min_power:?}, max_segments: {max_segments})"
-    )
+    format!("(secondary_rays: {rays}, max_depth: {max_depth}, min_power: {min_power:?}, max_segments: {max_segments})")
 }
 
 fn drawing(diagram: &DiagramSettings) -> String {
