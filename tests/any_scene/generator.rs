@@ -27,19 +27,17 @@ pub fn scene(bytes: &[u8]) -> Scene {
     if g.one_in(4) {
         g.scale = [10.0, 0.1, 1e3, 1e-6, 1e6, 1e-12, 1e12, 1e-30, 1e29][g.below(9)];
     }
-    let trace = g.trace();
-    let bodies = (0..g.below(7)).map(|k| g.body(k)).collect();
-    let sources = (0..g.below(4)).map(|k| g.source(k)).collect();
-    Scene {
-        title: g.words(),
-        caption: g.words(),
-        surroundings: if g.one_in(4) { g.medium() } else { Medium::Index(1.0) },
-        bodies,
-        sources,
-        trace,
-        diagram: g.diagram(),
-        notes: (0..g.below(2)).map(|_| Note { at: g.point(), text: g.words() }).collect(),
+    let mut scene = Scene::default();
+    scene.trace = g.trace();
+    scene.bodies = (0..g.below(7)).map(|k| g.body(k)).collect();
+    scene.sources = (0..g.below(4)).map(|k| g.source(k)).collect();
+    (scene.title, scene.caption) = (g.words(), g.words());
+    if g.one_in(4) {
+        scene.surroundings = g.medium();
     }
+    scene.diagram = g.diagram();
+    scene.notes = (0..g.below(2)).map(|_| Note { at: g.point(), text: g.words() }).collect();
+    scene
 }
 
 impl Generator<'_> {
@@ -293,38 +291,42 @@ impl Generator<'_> {
         let min_power = [1e-3, 0.0, 0.1, 1e-12][self.below(4)];
         // Enough for few rays; now and then for so many that several threads share the work.
         let max_segments = if self.one_in(64) { 40_000 } else { [2000, 1, 7, 100][self.below(4)] };
-        TraceSettings { secondary_rays, max_depth, min_power, max_segments }
+        let mut trace = TraceSettings::default();
+        trace.secondary_rays = secondary_rays;
+        trace.max_depth = max_depth;
+        trace.min_power = min_power;
+        trace.max_segments = max_segments;
+        trace
     }
 
     fn diagram(&mut self) -> DiagramSettings {
-        let is_set = |g: &mut Self, by_default| g.one_in(4) != by_default;
-        let size = [[320, 200], [16, 16], [72, 54], [16_384, 16]][if self.one_in(3) { self.below(4) } else { 0 }];
-        let view = if self.one_in(6) { View::Box(self.point(), self.point()) } else { View::Auto };
-        let theme = [Theme::Light, Theme::Dark, Theme::Print][self.below(3)];
-        let color = [RayColor::Auto, RayColor::Wavelength, RayColor::Power, RayColor::Via][self.below(4)];
-        let faintest = [0.01, 0.0, 0.5, 1e-9][self.below(4)];
         let address = |g: &mut Self| ["0.0:", "0.0:t", "0.0:r", "0.0:tt", "1.0:", "nowhere"][g.below(6)].to_owned();
-        DiagramSettings {
-            size,
-            view,
-            theme,
-            color,
-            faintest,
-            normals: is_set(self, true),
-            angles: is_set(self, true),
-            labels: is_set(self, true),
-            arrows: is_set(self, true),
-            legend: is_set(self, true),
-            extensions: is_set(self, false),
-            deviations: (0..self.below(2)).map(|_| [address(self), address(self)]).collect(),
-            protractor: is_set(self, false),
-            wavefronts: self.one_in(4).then(|| self.length()),
-            optical_axis: is_set(self, true),
-            focal_points: is_set(self, false),
-            principal_planes: is_set(self, false),
-            grid: is_set(self, false),
-            scale_bar: is_set(self, false),
-            irradiance: is_set(self, true),
+        let mut d = DiagramSettings::default();
+        d.size = [[320, 200], [16, 16], [72, 54], [16_384, 16]][if self.one_in(3) { self.below(4) } else { 0 }];
+        d.view = if self.one_in(6) { View::Box(self.point(), self.point()) } else { View::Auto };
+        d.theme = [Theme::Light, Theme::Dark, Theme::Print][self.below(3)];
+        d.color = [RayColor::Auto, RayColor::Wavelength, RayColor::Power, RayColor::Via][self.below(4)];
+        d.faintest = [0.01, 0.0, 0.5, 1e-9][self.below(4)];
+        d.deviations = (0..self.below(2)).map(|_| [address(self), address(self)]).collect();
+        d.wavefronts = self.one_in(4).then(|| self.length());
+        let switches = [
+            &mut d.normals,
+            &mut d.angles,
+            &mut d.labels,
+            &mut d.arrows,
+            &mut d.legend,
+            &mut d.extensions,
+            &mut d.protractor,
+            &mut d.optical_axis,
+            &mut d.focal_points,
+            &mut d.principal_planes,
+            &mut d.grid,
+            &mut d.scale_bar,
+            &mut d.irradiance,
+        ];
+        for switch in switches {
+            *switch ^= self.one_in(4);
         }
+        d
     }
 }

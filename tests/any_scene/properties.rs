@@ -68,7 +68,7 @@ pub fn hold(text: &str) -> Verdict {
 }
 
 fn hold_read(read: Result<Loaded, Vec<Problem>>, text: &str) -> Verdict {
-    let Loaded { mut scene, places, warnings } = match read {
+    let Loaded { mut scene, places, warnings, .. } = match read {
         Ok(loaded) => loaded,
         Err(problems) => {
             assert!(problems.iter().any(|problem| problem.severity == Severity::Error), "refused without an error");
@@ -82,7 +82,7 @@ fn hold_read(read: Result<Loaded, Vec<Problem>>, text: &str) -> Verdict {
         return Verdict::Large;
     }
     scene.trace.max_segments = scene.trace.max_segments.min(MOST_SEGMENTS);
-    let Compiled { system, warnings } = match compile(&scene) {
+    let Compiled { system, warnings, .. } = match compile(&scene) {
         Ok(compiled) => compiled,
         Err(problems) => {
             explained(&placed(problems.list(), &places), text);
@@ -159,5 +159,6 @@ fn rays(source: &Source) -> u64 {
         Ray { .. } => 1,
         Object { .. } => 3,
         Beam { rays, .. } | Fan { rays, .. } | Point { rays, .. } => rays.into(),
+        _ => 0,
     }
 }

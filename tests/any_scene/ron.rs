@@ -1,6 +1,8 @@
 //! A scene written down in the scene format.
 
-use std::fmt::{Display, Write};
+#![allow(unreachable_patterns, reason = "the format may grow")]
+
+use std::fmt::{Debug, Display, Write};
 
 use snellius::glam::DVec2;
 use snellius::scene::{
@@ -10,7 +12,7 @@ use snellius::scene::{
 
 /// The scene as text, every field of it; reading it gives the same scene.
 pub fn ron(scene: &Scene) -> String {
-    let Scene { title, caption, surroundings, bodies, sources, trace, diagram, notes } = scene;
+    let Scene { title, caption, surroundings, bodies, sources, trace, diagram, notes, .. } = scene;
     let notes = list(notes, |note| format!("(at: {}, text: {:?})", point(note.at), note.text));
     format!(
         "(\n  title: {title:?},\n  caption: {caption:?},\n  surroundings: {},\n  bodies: {},\n  sources: {},\n  \
@@ -21,6 +23,10 @@ pub fn ron(scene: &Scene) -> String {
         tracing(trace),
         drawing(diagram),
     )
+}
+
+fn unknown<T>(part: impl Debug) -> T {
+    panic!("how is {part:?} written?")
 }
 
 fn list<T>(items: &[T], written: impl Fn(&T) -> String) -> String {
@@ -53,6 +59,7 @@ fn body(body: &Body) -> String {
         Substance::Medium(filling) => optional(&mut out, "medium", Some(medium(filling))),
         Substance::Surface(action) => optional(&mut out, "surface", Some(surface(*action))),
         Substance::Elements => {}
+        _ => unknown(&body.substance),
     }
     optional(&mut out, "name", quoted(&body.name));
     optional(&mut out, "label", quoted(&body.label));
@@ -84,6 +91,7 @@ fn shape(shape: &Shape) -> String {
             format!("Arc(from: {}, through: {}, to: {})", point(*from), point(*through), point(*to))
         }
         Shape::Stop { opening, height } => format!("Stop(opening: {opening:?}, height: {height:?})"),
+        _ => unknown(shape),
     }
 }
 
@@ -91,6 +99,7 @@ fn step(step: &PathStep) -> String {
     match step {
         PathStep::LineTo(to) => format!("LineTo({})", point(*to)),
         PathStep::ArcTo { through, to } => format!("ArcTo(through: {}, to: {})", point(*through), point(*to)),
+        _ => unknown(step),
     }
 }
 
@@ -108,6 +117,7 @@ fn surface(surface: Surface) -> String {
             format!("BeamSplitter(reflect: {reflect:?}, transmit: {transmit:?})")
         }
         Surface::Mirror | Surface::Absorber | Surface::Screen => format!("{surface:?}"),
+        _ => unknown(surface),
     }
 }
 
@@ -115,6 +125,7 @@ fn medium(medium: &Medium) -> String {
     match medium {
         Medium::Sellmeier { b, c } => format!("Sellmeier(b: {b:?}, c: {c:?})"),
         Medium::Index(_) | Medium::Speed(_) | Medium::Cauchy(_) | Medium::Catalog(_) => format!("{medium:?}"),
+        _ => unknown(medium),
     }
 }
 
@@ -130,6 +141,7 @@ fn light(light: &Light) -> String {
     let direction = |direction: &Direction| match direction {
         Direction::Angle(degrees) => format!("Angle({degrees:?})"),
         Direction::Towards(p) => format!("Towards({})", point(*p)),
+        _ => unknown(direction),
     };
     match light {
         Light::Ray { from, direction: d } => format!("Ray(from: {}, direction: {})", point(*from), direction(d)),
@@ -141,6 +153,7 @@ fn light(light: &Light) -> String {
         }
         Light::Point { at, rays } => format!("Point(at: {}, rays: {rays})", point(*at)),
         Light::Object { from, to } => format!("Object(from: {}, to: {})", point(*from), point(*to)),
+        _ => unknown(light),
     }
 }
 
@@ -148,14 +161,16 @@ fn spectrum(spectrum: &Spectrum) -> String {
     match spectrum {
         Spectrum::White { samples } => format!("White(samples: {samples})"),
         Spectrum::Line(_) | Spectrum::Lines(_) => format!("{spectrum:?}"),
+        _ => unknown(spectrum),
     }
 }
 
 fn tracing(trace: &TraceSettings) -> String {
-    let TraceSettings { secondary_rays, max_depth, min_power, max_segments } = trace;
+    let TraceSettings { secondary_rays, max_depth, min_power, max_segments, .. } = trace;
     let rays = match secondary_rays {
         SecondaryRays::Fixed { kr, kt } => format!("Fixed(kr: {kr:?}, kt: {kt:?})"),
         SecondaryRays::Fresnel | SecondaryRays::TransmittedOnly => format!("{secondary_rays:?}"),
+        _ => unknown(secondary_rays),
     };
     format!("(secondary_rays: {rays}, max_depth: {max_depth}, min_power: {min_power:?}, max_segments: {max_segments})")
 }
@@ -165,6 +180,7 @@ fn drawing(diagram: &DiagramSettings) -> String {
     let view = match d.view {
         View::Auto => "Auto".into(),
         View::Box(first, second) => format!("Box({}, {})", point(first), point(second)),
+        other => unknown(other),
     };
     let [width, height] = d.size;
     let deviations = list(&d.deviations, |[from, to]| format!("({from:?}, {to:?})"));
