@@ -12,6 +12,7 @@ mod any_scene;
 mod finds;
 
 use std::collections::BTreeMap;
+use std::panic::catch_unwind;
 
 use any_scene::generator;
 use any_scene::properties::{Verdict, hold_scene};
@@ -34,7 +35,9 @@ fn scenes(count: u32) -> impl Iterator<Item = (snellius::Scene, String)> {
 fn the_properties_hold_in_generated_scenes() {
     let mut verdicts = BTreeMap::new();
     for (scene, text) in scenes(size(400, 20_000)) {
-        *verdicts.entry(format!("{:?}", hold_scene(&scene, &text))).or_insert(0) += 1;
+        let verdict =
+            catch_unwind(|| hold_scene(&scene, &text)).unwrap_or_else(|_| panic!("this scene fails:\n{text}"));
+        *verdicts.entry(format!("{verdict:?}")).or_insert(0) += 1;
     }
     println!("{verdicts:?}");
     let of = |verdict: Verdict| verdicts.get(&format!("{verdict:?}")).copied().unwrap_or(0);
