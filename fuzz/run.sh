@@ -35,7 +35,7 @@ for target in "${targets[@]}"; do
     }
     executions=$((executions + $(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1)))
   done
-  coverage=$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1)
+  coverage=$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1 || true)
   took=$((SECONDS - begin))
   echo "$target: $executions executions in $took s, $((executions / took)) a second; ${coverage/cov: /} edges covered; $finds finds"
   rm "$log"

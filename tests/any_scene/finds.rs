@@ -23,6 +23,9 @@ finds! {
     starts_apart_by_the_least_number: "sources: [
         (light: Ray(from: (-5, 0), direction: Angle(0))),
         (light: Ray(from: (-5, 5e-324), direction: Angle(90)))]";
+
+    light_lands_beside_the_start_of_a_screen_by_the_least_number: "bodies: [(shape: Disk(1), at: (0, -5e-324), surface: Screen)],
+        sources: [(light: Ray(from: (2, 0), direction: Angle(180)))]";
 }
 
 #[test]

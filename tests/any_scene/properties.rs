@@ -127,6 +127,7 @@ fn traced(system: &OpticalSystem) -> Trace {
     let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let [one, two] = POOLS.get_or_init(|| [pool(1), pool(2)]);
     let trace = one.install(|| trace(system));
+    assert!(trace.clone() == trace, "the trace holds numbers that are none");
     let mut again = two.install(|| snellius::trace(system));
     assert!(again == trace, "one thread and two give different traces");
     retrace(system, &mut again);
