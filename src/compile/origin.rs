@@ -17,7 +17,8 @@ pub(crate) fn origin(bounds: Bounds) -> DVec2 {
     let (_, exponent) = libm::frexp(extent);
     let step = libm::ldexp(1.0, exponent);
     // Rounded at thirds, which no coordinate with a short binary fraction hits.
-    let snap = |x: f64| step * (x / step + 1.0 / 3.0).floor();
+    // Of a box so thin that its place is no number of steps, the place itself.
+    let snap = |x: f64| if (x / step).is_finite() { step * (x / step + 1.0 / 3.0).floor() } else { x };
     let center = bounds.center();
     DVec2::new(snap(center.x), snap(center.y))
 }

@@ -206,7 +206,8 @@ impl Curve {
     /// Length along the curve from `a` to a point on it.
     #[must_use]
     pub fn length_to(&self, p: DVec2) -> f64 {
-        if p == self.a { 0.0 } else { Self { b: p, ..*self }.length() }
+        // Of ends so near that the square of their distance is 0, an arc has no angle.
+        if p.distance_squared(self.a) == 0.0 { 0.0 } else { Self { b: p, ..*self }.length() }
     }
 
     /// Area between an arc and its chord, positive when the arc turns left; 0 for an edge.

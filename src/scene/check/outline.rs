@@ -31,7 +31,8 @@ pub(super) fn check_polygon(c: &mut Checker, path: impl Text, points: &[DVec2]) 
 
 /// Whether a point is sound at first sight; spares a long list the texts that a problem would need.
 fn is_near(p: DVec2) -> bool {
-    p.abs().max_element() <= MAX_LENGTH
+    // The larger of a number and NaN is the number.
+    p.x.abs() <= MAX_LENGTH && p.y.abs() <= MAX_LENGTH
 }
 
 /// Edges and arcs in order; `path` is that of the shape.
