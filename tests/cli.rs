@@ -9,6 +9,8 @@ mod files;
 #[cfg(unix)]
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/pictures.rs"]
 mod pictures;
 #[path = "cli/place.rs"]

@@ -4,7 +4,10 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 use snellius::Scene;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Source, Spectrum, Substance, TraceSettings};
+use snellius::compile::{Compiled, compile_within};
+use snellius::scene::{
+    Body, Direction, Light, Limit, Limits, Medium, Problems, Shape, Source, Spectrum, Substance, TraceSettings,
+};
 
 use crate::random::Random;
 use crate::scenes::{NO_DEPTH, beam, body, prism, source};
@@ -14,14 +17,18 @@ const MIN_POWER: f64 = 1e-4;
 /// Hits of a ray in the light guide.
 pub(crate) const BOUNCES: u32 = 1000;
 
+/// Segments that no scene here comes near to.
+const NO_END: u64 = 1_000_000_000;
+
+/// Compiles a scene that may take so many segments.
+pub(crate) fn compile(scene: &Scene) -> Result<Compiled, Problems> {
+    compile_within(scene, &Limits::default().with(Limit::Segments, NO_END))
+}
+
 /// The scene, cut by power alone.
 pub(crate) fn by_power(scene: Scene) -> Scene {
-    let trace = TraceSettings {
-        min_power: MIN_POWER,
-        max_depth: NO_DEPTH,
-        max_segments: snellius::scene::MAX_SEGMENTS,
-        ..TraceSettings::default()
-    };
+    let trace =
+        TraceSettings { min_power: MIN_POWER, max_depth: NO_DEPTH, max_segments: NO_END, ..TraceSettings::default() };
     Scene { trace, ..scene }
 }
 

@@ -3,12 +3,16 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::console::{Fault, Mistake, Status};
+use super::limits::Allowance;
 use super::output::Target;
 use super::progress;
 use super::scene::{self, Ready};
 use super::stats::{Stats, Stopwatch};
 use crate::report;
 use crate::trace::{self, RayTree};
+
+/// Most letters of the addresses in a text.
+const MOST_LETTERS: u64 = 4_000_000_000;
 
 /// Trace a scene and print what became of every ray.
 #[derive(Args)]
@@ -25,6 +29,8 @@ pub(super) struct Trace {
     /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
+    #[command(flatten)]
+    allowance: Allowance,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -64,7 +70,7 @@ impl Trace {
 
     fn trace(&self, target: &Target, format: Format) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
-        let Ready { system, .. } = scene::prepare(&self.scene, &mut watch)?;
+        let Ready { system, .. } = scene::prepare(&self.scene, &self.allowance.limits(), &mut watch)?;
         watch.begin("tracing");
         let (trace, keeps_tree) = if format == Format::Summary {
             let summary = trace::summarize_watched(&system, &progress::count);
@@ -72,6 +78,9 @@ impl Trace {
         } else {
             (trace::trace_watched(&system, &progress::count), true)
         };
+        if format == Format::Text {
+            refuse_long_addresses(&trace.tree, &scene::name(&self.scene))?;
+        }
         watch.begin("writing");
         target.write(|mut out| match format {
             Format::Csv => report::write_csv(&mut out, &system, &trace.tree),
@@ -85,4 +94,16 @@ impl Trace {
         }
         Ok(())
     }
+}
+
+/// Refuses a text in which the addresses of deep branches, a letter a hit, would take gigabytes.
+fn refuse_long_addresses(tree: &RayTree, scene: &str) -> Result<(), Fault> {
+    let letters = report::address_letters(tree);
+    if letters > MOST_LETTERS {
+        return Err(Fault(format!(
+            "{scene}: the addresses of so many hits in a row would take {letters} letters of the text, above \
+             {MOST_LETTERS}: lower 'max_depth', or choose another form such as '--format json'"
+        )));
+    }
+    Ok(())
 }

@@ -9,6 +9,8 @@ use crate::place::{Place, Run};
 
 /// Hits that take longer than what interrupts them.
 const HITS: u32 = 1_000_000;
+/// As many as the scene asks for.
+const SEGMENTS: &str = "segments=1000000000";
 /// Longer than all that is waited for.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -46,7 +48,7 @@ fn end(mut child: Child, signal: &str) -> Run {
 fn an_interrupt_ends_a_long_trace() {
     for (signal, file) in [("-INT", "old.json"), ("-TERM", "new.json")] {
         let place = Place::with(&[("a.ron", &scene(HITS)), ("old.json", "before")]);
-        let child = start(&place, &["trace", "a.ron", "--format", "summary", "-o", file]);
+        let child = start(&place, &["trace", "a.ron", "--limit", SEGMENTS, "--format", "summary", "-o", file]);
         sleep(Duration::from_secs(2));
         let run = end(child, signal).status(130);
         assert_eq!(run.stdout() + &run.stderr(), "", "no progress where there is no terminal");
@@ -58,7 +60,7 @@ fn an_interrupt_ends_a_long_trace() {
 #[test]
 fn an_interrupt_removes_what_is_half_written() {
     let place = Place::with(&[("a.ron", &scene(300)), ("a.json", "before")]);
-    let child = start(&place, &["trace", "a.ron", "-o", "a.json"]);
+    let child = start(&place, &["trace", "a.ron", "--limit", SEGMENTS, "-o", "a.json"]);
     let since = Instant::now();
     while place.files().len() < 3 {
         assert!(since.elapsed() < PATIENCE, "nothing is written");
@@ -75,7 +77,7 @@ fn an_interrupt_removes_what_is_half_written() {
 fn progress_is_told_on_a_terminal_and_vanishes() {
     let place = Place::with(&[("long.ron", &scene(HITS)), ("short.ron", &scene(1))]);
     let run = |command: &str| {
-        let line = format!("{command} --format summary -o a.json");
+        let line = format!("{command} --limit {SEGMENTS} --format summary -o a.json");
         let mut script = Command::new("script");
         script.args(["-qec", &line.replace("snellius", env!("CARGO_BIN_EXE_snellius")), "/dev/null"]);
         script.env("TERM", "xterm").current_dir(place.path("")).stdin(Stdio::null()).output().ok().map(Run)
