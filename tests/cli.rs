@@ -20,6 +20,8 @@ mod many;
 #[cfg(unix)]
 #[path = "cli/paths.rs"]
 mod paths;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/pictures.rs"]
 mod pictures;
 #[path = "cli/place.rs"]

@@ -36,7 +36,7 @@ pub fn scene(bytes: &[u8]) -> Scene {
         scene.surroundings = g.medium();
     }
     scene.diagram = g.diagram();
-    scene.notes = (0..g.below(2)).map(|_| Note { at: g.point(), text: g.words() }).collect();
+    scene.notes = (0..g.below(2)).map(|_| Note::new(g.point(), g.words())).collect();
     scene
 }
 
@@ -156,7 +156,9 @@ impl Generator<'_> {
         let at = if self.one_in(2) { self.point() } else { DVec2::ZERO };
         let rotate = if self.one_in(3) { self.angle() } else { 0.0 };
         let label = self.one_in(6).then(|| self.words());
-        Body { name: self.name(k), label, color: self.color(), shape, at, rotate, substance }
+        let mut body = Body::new(shape, substance).placed(at, rotate);
+        (body.name, body.label, body.color) = (self.name(k), label, self.color());
+        body
     }
 
     fn surface(&mut self, shape: &Shape) -> Surface {
@@ -232,14 +234,11 @@ impl Generator<'_> {
         let power = [1.0, 2.5, 1e-100, 1e100][if self.one_in(8) { self.below(4) } else { 0 }];
         let light = self.light();
         let polarization = [Polarization::Unpolarized, Polarization::S, Polarization::P][self.below(3)];
-        Source {
-            name: self.name(100 + k),
-            color: self.color(),
-            light,
-            spectrum: self.spectrum(),
-            power: self.extreme(power),
-            polarization,
-        }
+        let mut source = Source::new(light);
+        (source.name, source.color) = (self.name(100 + k), self.color());
+        source.spectrum = self.spectrum();
+        (source.power, source.polarization) = (self.extreme(power), polarization);
+        source
     }
 
     fn light(&mut self) -> Light {

@@ -98,7 +98,7 @@ fn hold_read(read: Result<Loaded, Vec<Problem>>, text: &str) -> Verdict {
 }
 
 fn is_large(scene: &Scene) -> bool {
-    let lines = |source: &Source| source.spectrum.lines().len() as u64;
+    let lines = |source: &Source| source.spectrum.lines().count() as u64;
     let rays: u64 = scene.sources.iter().map(|source| rays(source) * lines(source)).sum();
     rays > MOST_RAYS || outputs::sides(scene) > MOST_SIDES
 }

@@ -81,7 +81,7 @@ impl Generator<'_> {
         let element = |k: usize| {
             let pair = radii.get(k..k + 2).map(|pair| [pair[0], pair[1]]);
             let thickness = pair.map(|pair| self.thickness(pair, diameter));
-            Element { radius: radii[k], thickness, medium: pair.map(|_| self.medium()) }
+            Element::new(radii[k], thickness, pair.map(|_| self.medium()))
         };
         Shape::LensGroup { diameter, surfaces: (0..radii.len()).map(element).collect() }
     }
