@@ -105,7 +105,7 @@ struct Readme;
 /// The vector library of the public interface: points, directions and normals are its `DVec2`.
 pub use glam;
 
-pub use compile::{Compiled, compile};
+pub use compile::{Compiled, compile, compile_within};
 pub use scene::Scene;
 pub use system::OpticalSystem;
 pub use trace::{

@@ -15,6 +15,8 @@ mod files;
 #[cfg(unix)]
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/many.rs"]
 mod many;
 #[cfg(unix)]

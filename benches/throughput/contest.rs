@@ -1,8 +1,9 @@
 //! One scene and all that trace it.
 
-use snellius::{Ending, OpticalSystem, Scene, Segment, TracedRay, Visitor, compile, summarize, visit};
+use snellius::{Ending, OpticalSystem, Scene, Segment, TracedRay, Visitor, summarize, visit};
 
 use crate::flat::{Flat, Nearest};
+use crate::optics::compile;
 use crate::parry::{Parry, STRATEGY};
 use crate::race::Task;
 use crate::scalar::Loop;

@@ -6,7 +6,7 @@ use snellius::Scene;
 
 use crate::contest::{Contest, OURS, PARRY, SCALAR};
 use crate::figures::Bound;
-use crate::optics::{by_power, scattered, to_depth};
+use crate::optics::{by_power, compile, scattered, to_depth};
 use crate::plot::{Curve, Panel};
 use crate::race::{Times, race};
 use crate::scenes::slabs;
@@ -36,7 +36,7 @@ pub(crate) fn edges(study: &mut Study) -> bool {
             break;
         }
         let scene = by_power(scattered(edges / 10, 10, study.size(4, 64)));
-        let compiling = seconds(|| drop(snellius::compile(&scene)));
+        let compiling = seconds(|| drop(compile(&scene)));
         let contest = Contest::new(&scene);
         spent = compiling.max(seconds(|| drop(snellius::summarize(&contest.system))));
         let times = timed(study, &contest, edges <= SCALAR_EDGES);

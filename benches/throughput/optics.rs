@@ -4,7 +4,10 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 use snellius::Scene;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Source, Spectrum, Substance, TraceSettings};
+use snellius::compile::{Compiled, compile_within};
+use snellius::scene::{
+    Body, Direction, Light, Limit, Limits, Medium, Problems, Shape, Source, Spectrum, Substance, TraceSettings,
+};
 
 use crate::random::Random;
 use crate::scenes::{NO_DEPTH, beam, body, prism, source};
@@ -14,11 +17,19 @@ const MIN_POWER: f64 = 1e-4;
 /// Hits of a ray in the light guide.
 pub(crate) const BOUNCES: u32 = 1000;
 
+/// Segments that no scene here comes near to.
+const NO_END: u64 = 1_000_000_000;
+
+/// Compiles a scene that may take so many segments.
+pub(crate) fn compile(scene: &Scene) -> Result<Compiled, Problems> {
+    compile_within(scene, &Limits::default().with(Limit::Segments, NO_END))
+}
+
 /// The scene, cut by power alone.
 pub(crate) fn by_power(mut scene: Scene) -> Scene {
     scene.trace = TraceSettings::default();
     (scene.trace.min_power, scene.trace.max_depth) = (MIN_POWER, NO_DEPTH);
-    scene.trace.max_segments = snellius::scene::MAX_SEGMENTS;
+    scene.trace.max_segments = NO_END;
     scene
 }
 

@@ -1,12 +1,12 @@
 //! What a drawing costs beside the trace that it shows, and what keeping the tree costs.
 
 use snellius::drawing::{Cap, Color, Drawing, Item, PathStep, Shape, Stroke};
-use snellius::{Scene, compile, diagram, render, retrace, summarize, trace};
+use snellius::{Scene, diagram, render, retrace, summarize, trace};
 use tiny_skia::{LineCap, LineJoin, Paint, PathBuilder, Pixmap, Transform};
 
 use crate::contest::followed;
 use crate::figures::Bound;
-use crate::optics::by_power;
+use crate::optics::{by_power, compile};
 use crate::race::{Task, race};
 use crate::scenes::slabs;
 use crate::study::Study;

@@ -1,11 +1,11 @@
 //! Threads, and compiling.
 
 use parry2d_f64::partitioning::BvhBuildStrategy::Binned;
-use snellius::{compile, summarize};
+use snellius::summarize;
 
 use crate::contest::followed;
 use crate::figures::Bound;
-use crate::optics::{by_power, scattered};
+use crate::optics::{by_power, compile, scattered};
 use crate::parry::boxes;
 use crate::race::{Task, race};
 use crate::study::Study;

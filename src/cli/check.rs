@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::console::{Mistake, Status, summarize};
+use super::limits::Allowance;
 use super::output::Target;
 use super::scene::{self, refuse_two_stdins};
 use super::stats::Stopwatch;
@@ -13,13 +14,16 @@ pub(super) struct Check {
     /// Scene files; '-' is standard input.
     #[arg(value_name = "SCENE", required = true)]
     scenes: Vec<PathBuf>,
+    #[command(flatten)]
+    allowance: Allowance,
 }
 
 impl Check {
     pub(super) fn run(&self) -> Result<Status, Mistake> {
         refuse_two_stdins(&self.scenes)?;
+        let limits = self.allowance.limits();
         let fails = |path: &&Path| {
-            let checked = scene::prepare(path, &mut Stopwatch::start()).and_then(|ready| {
+            let checked = scene::prepare(path, &limits, &mut Stopwatch::start()).and_then(|ready| {
                 let verdict = match ready.warnings {
                     0 => "ok".into(),
                     1 => "ok, 1 warning".into(),

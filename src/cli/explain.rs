@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::console::{Fault, Mistake, Status};
+use super::limits::Allowance;
 use super::output::Target;
 use super::progress;
 use super::scene::{self, Ready};
@@ -35,6 +36,8 @@ pub(super) struct Explain {
     /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
+    #[command(flatten)]
+    allowance: Allowance,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -72,7 +75,7 @@ impl Explain {
         target.refuse_to_overwrite(std::slice::from_ref(&self.scene))?;
         let format = self.format(&target)?;
         let mut watch = Stopwatch::start();
-        let ready = match scene::prepare(&self.scene, &mut watch) {
+        let ready = match scene::prepare(&self.scene, &self.allowance.limits(), &mut watch) {
             Ok(ready) => ready,
             Err(fault) => return Ok(Status::of(Err(fault))),
         };

@@ -7,6 +7,7 @@ mod check;
 mod console;
 mod explain;
 mod interrupt;
+mod limits;
 mod materials;
 mod new;
 mod output;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::console::{Fault, Mistake, legible, reason, tell};
 use super::stats::Stopwatch;
 use crate::compile::{Compiled, compile_checked};
-use crate::scene::{self, Loaded, MAX_TEXT_BYTES, Places, Problem, Scene};
+use crate::scene::{self, Limit, Limits, Loaded, Places, Problem, Scene};
 use crate::system::OpticalSystem;
 
 /// A scene read, checked and compiled.
@@ -53,12 +53,13 @@ pub(super) fn refuse_two_stdins(scenes: &[PathBuf]) -> Result<(), Mistake> {
 }
 
 /// Reads a scene and makes it ready to trace. Shows its warnings; the fault holds every problem at once.
-pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault> {
+pub(super) fn prepare(path: &Path, limits: &Limits, watch: &mut Stopwatch) -> Result<Ready, Fault> {
     let file = name(path);
-    let text = read(path, &file)?;
+    let text = read(path, &file, limits.of(Limit::Bytes))?;
     watch.begin("loading");
     let shown = |problems: &[Problem]| shown(problems, &text, &file);
-    let Loaded { scene, places, mut warnings } = scene::load(&text).map_err(|problems| Fault(shown(&problems)))?;
+    let Loaded { scene, places, mut warnings } =
+        scene::load_within(&text, limits).map_err(|problems| Fault(shown(&problems)))?;
     watch.begin("compiling");
     let placed = |mut problem: Problem| {
         places.locate(&mut problem);
@@ -75,20 +76,21 @@ pub(super) fn prepare(path: &Path, watch: &mut Stopwatch) -> Result<Ready, Fault
     Ok(Ready { scene, system, warnings: warnings.len(), file, text, places })
 }
 
-fn read(path: &Path, file: &str) -> Result<String, Fault> {
+fn read(path: &Path, file: &str, most: u64) -> Result<String, Fault> {
     let mut bytes = Vec::new();
     // One byte more than a scene may have tells that there is too much, without reading all of it.
-    let most = MAX_TEXT_BYTES as u64 + 1;
+    let enough = most + 1;
     let read = if is_stdin(path) {
-        io::stdin().lock().take(most).read_to_end(&mut bytes)
+        io::stdin().lock().take(enough).read_to_end(&mut bytes)
     } else {
-        File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes))
+        File::open(path).and_then(|file| file.take(enough).read_to_end(&mut bytes))
     };
     match read {
         Err(error) => Err(Fault(format!("{file}: cannot be read: {}", reason(&error)))),
-        Ok(length) if length > MAX_TEXT_BYTES => {
-            Err(Fault(format!("{file}: this is too long for a scene: at most {MAX_TEXT_BYTES} bytes are read")))
-        }
+        Ok(length) if length as u64 > most => Err(Fault(format!(
+            "{file}: this is too long for a scene: at most {most} bytes are read; {}",
+            Limit::Bytes.cure()
+        ))),
         Ok(_) => match scene::text_of(&bytes, file) {
             Ok(text) => Ok(text.to_owned()),
             Err(problems) => Err(Fault(format!("{}\n", problems.to_string().trim_end()))),

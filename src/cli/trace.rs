@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::console::{Fault, Mistake, Status};
+use super::limits::Allowance;
 use super::output::Target;
 use super::progress;
 use super::scene::{self, Ready};
@@ -25,6 +26,8 @@ pub(super) struct Trace {
     /// Print on standard error what was done and what was skipped, where the light went, and the times.
     #[arg(long)]
     stats: bool,
+    #[command(flatten)]
+    allowance: Allowance,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -64,7 +67,7 @@ impl Trace {
 
     fn trace(&self, target: &Target, format: Format) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
-        let Ready { system, .. } = scene::prepare(&self.scene, &mut watch)?;
+        let Ready { system, .. } = scene::prepare(&self.scene, &self.allowance.limits(), &mut watch)?;
         watch.begin("tracing");
         let (trace, keeps_tree) = if format == Format::Summary {
             let summary = trace::summarize_watched(&system, &progress::count);

@@ -32,7 +32,7 @@ use crate::compile::runs::Runs;
 use crate::compile::sources::{Ground, first_points};
 use crate::geometry::{Bounds, Curve, CurveTree, Placement};
 use crate::media::Dispersion;
-use crate::scene::{Body, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
+use crate::scene::{Body, Limits, Medium, Problem, Problems, Scene, Severity, Substance, Surface};
 use crate::system::{Cells, Interface, MediumId, OpticalSystem, Outline, PlacedBody, rounding};
 
 pub use effort::MAX_COMPARISONS;
@@ -50,13 +50,22 @@ pub struct Compiled {
     pub warnings: Vec<Problem>,
 }
 
-/// Compiles a scene.
+/// Compiles a scene within the usual [`Limits`].
 ///
 /// # Errors
 ///
 /// Every problem of the scene at once, each with its place, what is wrong and what would be right.
 pub fn compile(scene: &Scene) -> Result<Compiled, Problems> {
-    let problems = scene.validate();
+    compile_within(scene, &Limits::default())
+}
+
+/// [`compile()`] within limits of one's own.
+///
+/// # Errors
+///
+/// As those of [`compile()`].
+pub fn compile_within(scene: &Scene, limits: &Limits) -> Result<Compiled, Problems> {
+    let problems = scene.validate_within(limits);
     if problems.iter().any(|problem| problem.severity == Severity::Error) {
         return Err(unplaced(problems));
     }

@@ -169,3 +169,35 @@ fn stop(opening: f64, height: f64) -> Vec<Path> {
     let jaw = |from: f64, to: f64| open(vec![Curve::line(DVec2::new(0.0, from), DVec2::new(0.0, to))]);
     vec![jaw(-outer, -inner), jaw(inner, outer)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_are_counted_without_making_them() {
+        let points = vec![DVec2::ZERO, DVec2::X, DVec2::Y];
+        let lens = |facets| Shape::Lens { radii: [9.0, -9.0], thickness: 2.0, diameter: 4.0, facets };
+        let element = |radius| Element { radius, thickness: Some(2.0), medium: Some(Medium::Index(1.5)) };
+        let step = PathStep::ArcTo { through: DVec2::new(1.0, -1.0), to: 2.0 * DVec2::X };
+        for (shape, count) in [
+            (Shape::Polygon(points), 3),
+            (Shape::Rectangle { width: 2.0, height: 1.0 }, 4),
+            (Shape::RegularPolygon { sides: 7, radius: 1.0 }, 7),
+            (Shape::Prism { apex_angle: 60.0, side: 1.0 }, 3),
+            (Shape::RightAnglePrism { leg: 1.0 }, 3),
+            (Shape::Disk { radius: 1.0 }, 2),
+            (Shape::HalfDisk { radius: 1.0 }, 2),
+            (lens(None), 4),
+            (lens(Some(5)), 12),
+            (Shape::Outline { start: DVec2::ZERO, path: vec![step, PathStep::LineTo(3.0 * DVec2::Y)] }, 3),
+            (Shape::LensGroup { diameter: 4.0, surfaces: [9.0, -9.0, 8.0].map(element).to_vec() }, 8),
+            (Shape::Flat { from: DVec2::ZERO, to: DVec2::X }, 1),
+            (Shape::Arc { from: DVec2::ZERO, through: DVec2::ONE, to: 2.0 * DVec2::X }, 1),
+            (Shape::Stop { opening: 1.0, height: 2.0 }, 2),
+        ] {
+            let made: usize = outlines(&shape).iter().map(|path| path.curves.len()).sum();
+            assert_eq!((made as u64, shape.curves()), (count, count), "{shape:?}");
+        }
+    }
+}

@@ -14,7 +14,7 @@ mod svg;
 
 #[cfg(feature = "pdf")]
 pub use pdf::pdf;
-pub use png::{RenderError, png};
+pub use png::{RenderError, png, png_within};
 pub use svg::{svg, svg_outlined};
 
 #[cfg(test)]

@@ -11,9 +11,7 @@ use crate::render::encode::encode;
 use crate::render::mix;
 use crate::render::samples::Samples;
 use crate::render::skia::{draw_glyph, single, skia_path, skia_stroke};
-
-/// A picture of more pixels would need over half a gigabyte.
-const MAX_PIXELS: f64 = 1.5e8;
+use crate::scene::Limit;
 
 /// Why a figure could not become a picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +25,8 @@ pub enum RenderError {
         width: f64,
         /// Height in pixels.
         height: f64,
+        /// Most pixels that a picture may have.
+        most: u64,
     },
     /// The encoder failed.
     Encode(String),
@@ -36,8 +36,8 @@ impl fmt::Display for RenderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scale(scale) => write!(f, "the scale must be a number above 0, not {scale}"),
-            Self::Size { width, height } => {
-                write!(f, "a picture of {width} × {height} pixels cannot be made; the limit is {MAX_PIXELS:e} pixels")
+            Self::Size { width, height, most } => {
+                write!(f, "a picture of {width} × {height} pixels cannot be made; the limit is {most} pixels")
             }
             Self::Encode(reason) => write!(f, "the encoder failed: {reason}"),
         }
@@ -46,13 +46,22 @@ impl fmt::Display for RenderError {
 
 impl std::error::Error for RenderError {}
 
-/// The figure as a PNG file, `scale` device pixels to a pixel of the figure.
+/// The figure as a PNG file, `scale` device pixels to a pixel of the figure; at most 1.5·10⁸ pixels.
 ///
 /// # Errors
 ///
 /// If `scale` is not above 0, the picture would be empty or too large, or the encoder fails.
 pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
-    let mut canvas = Canvas::new(drawing, scale)?;
+    png_within(drawing, scale, Limit::Pixels.usual())
+}
+
+/// [`png`] of as many pixels as `most`; each takes about ten bytes of memory.
+///
+/// # Errors
+///
+/// As those of [`png`].
+pub fn png_within(drawing: &Drawing, scale: f32, most: u64) -> Result<Vec<u8>, RenderError> {
+    let mut canvas = Canvas::new(drawing, scale, most)?;
     if let Some(color) = drawing.background {
         let Color([r, g, b]) = color;
         canvas.pixels.fill(tiny_skia::Color::from_rgba8(r, g, b, 255));
@@ -73,17 +82,18 @@ struct Canvas {
 }
 
 impl Canvas {
-    fn new(drawing: &Drawing, scale: f32) -> Result<Self, RenderError> {
+    fn new(drawing: &Drawing, scale: f32, most: u64) -> Result<Self, RenderError> {
         if !(scale.is_finite() && scale > 0.0) {
             return Err(RenderError::Scale(scale));
         }
         let [width, height] = drawing.size.map(|side| (f64::from(side) * f64::from(scale)).round());
-        let refused = RenderError::Size { width, height };
-        if !(width >= 1.0 && height >= 1.0 && width * height <= MAX_PIXELS) {
+        let refused = RenderError::Size { width, height, most };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the type's range")]
+        let [w, h] = [width as u32, height as u32];
+        if u64::from(w) * u64::from(h) > most {
             return Err(refused);
         }
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1.5e8, just checked")]
-        let pixels = Pixmap::new(width as u32, height as u32).ok_or(refused)?;
+        let pixels = Pixmap::new(w, h).ok_or(refused)?;
         Ok(Self {
             pixels,
             transform: Transform::from_scale(scale, scale),

@@ -1,6 +1,7 @@
 //! The ray tree for reading and for snapshot tests: one line a segment, indented by depth, numbers rounded so that the
 //! last bits of a computation do not show.
 
+use std::collections::HashMap;
 use std::io::{self, Write};
 
 use glam::DVec2;
@@ -38,8 +39,9 @@ pub fn write_text(out: &mut impl Write, system: &OpticalSystem, trace: &Trace) -
         report.ray(out, ray)?;
     }
     report.balance(out, &trace.summary)?;
+    let landed = landed(&trace.tree);
     for screen in &trace.summary.screens {
-        report.screen(out, screen, &trace.tree)?;
+        report.screen(out, screen, landed.get(&screen.body).map_or(&[], Vec::as_slice))?;
     }
     Ok(())
 }
@@ -59,20 +61,22 @@ impl Report<'_> {
     fn ray(&self, out: &mut impl Write, ray: &TracedRay) -> io::Result<()> {
         let (name, nm, power) = (ray.name(), ray.wavelength.nanometers(), significant(ray.power));
         writeln!(out, "ray {name}  {nm} nm  power {power}")?;
-        let lines: Vec<_> = depths(ray)
-            .into_iter()
-            .zip(&ray.segments)
-            .map(|(depth, segment)| (self.cells(ray, segment, depth), self.end(segment)))
-            .collect();
-        let widths: [usize; COLUMNS] = std::array::from_fn(|column| {
-            lines.iter().map(|(cells, _)| cells[column].chars().count()).max().unwrap_or(0)
-        });
-        for (cells, end) in &lines {
+        // Once for the widths and once to write: the cells of a large tree take more memory than the tree.
+        let depths = depths(ray);
+        let lines = || depths.iter().zip(&ray.segments).map(|(depth, segment)| self.cells(ray, segment, *depth));
+        let mut widths = [0; COLUMNS];
+        for cells in lines() {
+            for (width, cell) in widths.iter_mut().zip(&cells) {
+                *width = cell.chars().count().max(*width);
+            }
+        }
+        for (cells, segment) in lines().zip(&ray.segments) {
             write!(out, "  ")?;
             for (cell, width) in cells.iter().zip(widths).filter(|(_, width)| *width > 0) {
-                write!(out, "{cell:width$}  ")?;
+                // A width in the form of `write!` has 16 bits.
+                write!(out, "{cell}{}", " ".repeat(width - cell.chars().count() + 2))?;
             }
-            writeln!(out, "{end}")?;
+            writeln!(out, "{}", self.end(segment))?;
         }
         writeln!(out)
     }
@@ -127,16 +131,14 @@ impl Report<'_> {
         writeln!(out, "  {:16}  {}", "residual", if closed { "0".into() } else { significant(residual) })
     }
 
-    fn screen(&self, out: &mut impl Write, screen: &ScreenRecord, tree: &RayTree) -> io::Result<()> {
+    fn screen(&self, out: &mut impl Write, screen: &ScreenRecord, landed: &[(&TracedRay, &Segment)]) -> io::Result<()> {
         let hits = count(screen.hits.len() as u64, "hit");
         writeln!(out, "\nscreen {}  {hits}", self.body(screen.body))?;
-        for ray in &tree.rays {
-            for segment in ray.segments.iter().filter(|segment| segment.ending == Ending::Detected) {
-                let Some(hit) = segment.hit.filter(|hit| hit.body == screen.body) else { continue };
-                let position = fixed(hit.position.unwrap_or(0.0), self.decimals);
-                let power = share(segment.power.total(), ray.power);
-                writeln!(out, "  {}  position {position}  power {power}", shortened(ray, segment.id))?;
-            }
+        for (ray, segment) in landed {
+            let position = segment.hit.and_then(|hit| hit.position);
+            let position = fixed(position.unwrap_or(0.0), self.decimals);
+            let power = share(segment.power.total(), ray.power);
+            writeln!(out, "  {}  position {position}  power {power}", shortened(ray, segment.id))?;
         }
         Ok(())
     }
@@ -149,6 +151,17 @@ fn shortened(ray: &TracedRay, id: SegmentId) -> String {
     let gap = if backward.len() > LONGEST { "…" } else { "" };
     let path: String = backward.into_iter().take(LONGEST).rev().collect();
     format!("{}:{gap}{path}", ray.name())
+}
+
+/// The segments that landed on each screen, by its body.
+fn landed(tree: &RayTree) -> HashMap<usize, Vec<(&TracedRay, &Segment)>> {
+    let mut landed: HashMap<usize, Vec<_>> = HashMap::new();
+    for (ray, segment) in tree.rays.iter().flat_map(|ray| ray.segments.iter().map(move |segment| (ray, segment))) {
+        if let (Ending::Detected, Some(hit)) = (segment.ending, &segment.hit) {
+            landed.entry(hit.body).or_default().push((ray, segment));
+        }
+    }
+    landed
 }
 
 /// The angles from the normal at a hit: incidence, and transmission where something can be transmitted.

@@ -91,6 +91,23 @@ pub enum Surface {
     },
 }
 
+impl Shape {
+    /// How many edges and arcs the outlines have at most, without making them.
+    pub(crate) fn curves(&self) -> u64 {
+        match self {
+            Self::Polygon(points) => points.len() as u64,
+            Self::RegularPolygon { sides, .. } => u64::from(*sides),
+            Self::Lens { facets, .. } => 2 * u64::from(facets.unwrap_or(1)) + 2,
+            Self::Outline { path, .. } => path.len() as u64 + 1,
+            Self::LensGroup { surfaces, .. } => 4 * (surfaces.len() as u64).saturating_sub(1),
+            Self::Rectangle { .. } => 4,
+            Self::Prism { .. } | Self::RightAnglePrism { .. } => 3,
+            Self::Disk { .. } | Self::HalfDisk { .. } | Self::Stop { .. } => 2,
+            Self::Flat { .. } | Self::Arc { .. } => 1,
+        }
+    }
+}
+
 /// An outline about its own origin, lengths in scene units.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]

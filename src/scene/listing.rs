@@ -5,7 +5,7 @@ use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
 use crate::scene::{Problem, Severity};
 
-const MOST_SHOWN: usize = 200;
+const MOST_SHOWN: usize = 100;
 const BYTE_ORDER_MARK: char = '\u{feff}';
 /// Bytes shown to either side of the fault in a very long line.
 const SURROUNDINGS: usize = 300;
@@ -13,14 +13,15 @@ const SURROUNDINGS: usize = 300;
 /// Problems as text for people, each beginning with `FILE:LINE:COL:`, then the line at fault underlined, its path and the cure.
 ///
 /// Lines and columns count from 1, columns in characters. `text` is the scene's text; for a scene without text, pass `""`.
-/// After 200 problems, the rest is counted only.
+/// After 100 problems, the rest is counted only.
 #[must_use]
 pub fn render_problems(problems: &[Problem], text: &str, file: &str) -> String {
     let lines = Lines::new(text);
     let mut shown: Vec<String> =
         problems.iter().take(MOST_SHOWN).map(|problem| render(problem, &lines, file)).collect();
-    if problems.len() > MOST_SHOWN {
-        shown.push(format!("{file}: {} more problems follow\n", problems.len() - MOST_SHOWN));
+    let more: u64 = problems.iter().skip(MOST_SHOWN).map(|problem| u64::from(problem.more.max(1))).sum();
+    if more > 0 {
+        shown.push(format!("{file}: {more} more problems follow\n"));
     }
     shown.join("\n")
 }

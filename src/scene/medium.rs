@@ -1,6 +1,7 @@
 use crate::laws::{IndexError, check_index, index_from_speed};
 use crate::media::{Dispersion, MediumError, catalog};
 use crate::scene::Problem;
+use crate::scene::problem::shortened;
 
 /// A transparent, isotropic, lossless medium, by what its refractive index is computed from.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,7 +67,7 @@ fn formula(dispersion: Result<Dispersion, MediumError>, path: &str) -> Result<Di
 }
 
 fn unknown(name: &str) -> Problem {
-    let near = catalog::nearest(name).map_or(String::new(), |near| format!("did you mean `{near}`? "));
+    let near = catalog::nearest(&shortened(name)).map_or(String::new(), |near| format!("did you mean `{near}`? "));
     let help = format!("{near}`snellius materials` lists all names");
-    Problem::error("name", format!("the catalog has no medium `{name}`"), help).label("unknown name")
+    Problem::error("name", format!("the catalog has no medium `{}`", shortened(name)), help).label("unknown name")
 }

@@ -20,15 +20,13 @@ use glam::DVec2;
 pub use axis::{Imaging, OpticalAxis, facing};
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
-pub use limits::{
-    MAX_BODIES, MAX_DEVIATIONS, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_OBJECTS, MAX_PIXELS, MAX_POINTS,
-    MAX_RAYS, MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
-};
+pub use limits::{Limit, Limits, MAX_INDEX, MAX_LENGTH, MAX_PIXELS, MIN_LENGTH, MIN_PIXELS};
 pub use listing::render_problems;
 pub use medium::Medium;
+pub(crate) use names::nearest;
 pub use places::Places;
 pub use problem::{Problem, Problems, Severity};
-pub use read::{Loaded, load, text_of};
+pub use read::{Loaded, load, load_within, text_of};
 pub use source::{Direction, Light, Polarization, Source, Spectrum};
 pub use tracing::{SecondaryRays, TraceSettings};
 

@@ -1,5 +1,7 @@
 //! The cure for a misspelt name.
 
+use crate::scene::problem::shortened;
+
 /// What to write instead of `wrong`: the nearest of the valid names if one is near, and all of them.
 pub(super) fn suggestion(wrong: &str, valid: &[&str]) -> String {
     let all = listed(valid);
@@ -10,7 +12,8 @@ pub(super) fn suggestion(wrong: &str, valid: &[&str]) -> String {
 }
 
 /// The valid name that is most like `wrong`, if any is alike at all.
-pub(super) fn nearest<'a>(wrong: &str, valid: &[&'a str]) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(wrong: &str, valid: &[&'a str]) -> Option<&'a str> {
+    let wrong = &shortened(wrong);
     let likeness = |name: &str| {
         let (wrong, name) = (wrong.to_lowercase(), name.to_lowercase());
         let shared =

@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
@@ -29,7 +30,14 @@ pub struct Problem {
     pub label: Box<str>,
     /// What would be right.
     pub help: String,
+    /// Problems that are not listed; 0 but for the last problem of a very long list, which stands for them.
+    pub more: u32,
 }
+
+/// Most problems of a scene that are listed one by one.
+const MOST_LISTED: usize = 1000;
+/// Most characters of the scene that a problem repeats.
+const MOST_REPEATED: usize = 60;
 
 impl Problem {
     /// An error at a path.
@@ -42,6 +50,7 @@ impl Problem {
             message: message.into(),
             label: Box::default(),
             help: help.into(),
+            more: 0,
         }
     }
 
@@ -61,6 +70,50 @@ impl Problem {
     #[must_use]
     pub fn at(self, span: Range<usize>) -> Self {
         Self { span: Some(span), ..self }
+    }
+}
+
+/// Problems as they are found: the first of them, and how many more there are.
+#[derive(Debug, Default)]
+pub(super) struct Found {
+    list: Vec<Problem>,
+    more: u32,
+}
+
+impl Found {
+    pub(super) fn push(&mut self, problem: Problem) {
+        if self.is_full() {
+            self.more = self.more.saturating_add(1);
+        } else {
+            self.list.push(problem);
+        }
+    }
+
+    pub(super) fn append(&mut self, other: Self) {
+        other.list.into_iter().for_each(|problem| self.push(problem));
+        self.more = self.more.saturating_add(other.more);
+    }
+
+    pub(super) fn is_full(&self) -> bool {
+        self.list.len() >= MOST_LISTED
+    }
+
+    /// The list, at its end one that stands for all that are not on it.
+    pub(super) fn into_list(mut self) -> Vec<Problem> {
+        if self.more > 0 {
+            let message = format!("{} more problems are not listed", self.more);
+            let rest = Problem::error("", message, "mend those that are, and check the scene again");
+            self.list.push(Problem { more: self.more, ..rest });
+        }
+        self.list
+    }
+}
+
+/// Words of a scene for a problem, cut where they are long.
+pub(super) fn shortened(words: &str) -> Cow<'_, str> {
+    match words.char_indices().nth(MOST_REPEATED) {
+        Some((end, _)) => format!("{}…", &words[..end]).into(),
+        None => words.into(),
     }
 }
 

@@ -164,8 +164,8 @@ impl Summary {
 
     fn land(&mut self, landed: impl IntoIterator<Item = (usize, ScreenHit)>) {
         for (body, hit) in landed {
-            if let Some(screen) = self.screens.iter_mut().find(|screen| screen.body == body) {
-                screen.hits.push(hit);
+            if let Ok(place) = self.screens.binary_search_by_key(&body, |screen| screen.body) {
+                self.screens[place].hits.push(hit);
             }
         }
     }

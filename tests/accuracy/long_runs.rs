@@ -3,8 +3,8 @@
 use f256::f256;
 use glam::DVec2;
 use snellius::Scene;
-use snellius::compile::compile;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Substance, Surface};
+use snellius::compile::{compile, compile_within};
+use snellius::scene::{Body, Direction, Light, Limit, Limits, Medium, Shape, Substance, Surface};
 use snellius::trace::{Segment, Summary, TracedRay, Via, Visitor, visit};
 
 use crate::scenes::{body, source, towards};
@@ -56,14 +56,17 @@ impl Visitor for Leaves {
 
 #[test]
 fn the_power_balance_closes_over_millions_of_leaves() {
-    let segments = size(300_000, 17_000_000);
-    let scene = Scene::from_ron(&format!(
+    let segments = u64::from(size(300_000, 17_000_000));
+    let scene = Scene::from_ron(
         "(bodies: [(shape: Rectangle(20, 14), surface: Mirror), (shape: Disk(3), at: (-4, 1), medium: Index(1.7)), \
          (shape: Prism(apex_angle: 50, side: 7), at: (4, -1), rotate: 11, medium: Index(1.5))], \
          sources: [(power: 0.7, light: Fan(from: (-9, -4), direction: Angle(20), spread: 50, rays: 7))], \
-         trace: (min_power: 1e-9, max_depth: 1000, max_segments: {segments}))"
-    ));
-    let system = compile(&scene.unwrap()).unwrap().system;
+         trace: (min_power: 1e-9, max_depth: 1000))",
+    );
+    let mut scene = scene.unwrap();
+    scene.trace.max_segments = segments;
+    let limits = Limits::default().with(Limit::Segments, segments);
+    let system = compile_within(&scene, &limits).unwrap().system;
     let mut leaves = Leaves { summary: Summary::new(&system), leaves: 0 };
     visit(&system, &mut leaves);
     #[expect(clippy::cast_precision_loss, reason = "a count far below 2^53")]

@@ -9,6 +9,8 @@ use crate::place::{Place, Run, skipped};
 
 /// Hits that take longer than what interrupts them.
 const HITS: u32 = 1_000_000;
+/// As many segments as 1000 rays take for so many hits.
+const SEGMENTS: &str = "segments=1000000000";
 /// Longer than all that is waited for.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -18,7 +20,7 @@ pub(crate) fn scene(hits: u32) -> String {
         "(
             bodies: [(shape: Disk(20), medium: Index(1.5))],
             sources: [(light: Beam(center: (0, 17), direction: Angle(0), width: 2, rays: 1000))],
-            trace: (max_depth: {hits}, max_segments: 1000000000),
+            trace: (max_depth: {hits}, max_segments: {hits}000),
         )"
     )
 }
@@ -64,7 +66,7 @@ fn end(mut child: Child, signal: &str) -> Run {
 fn an_interrupt_ends_a_long_trace() {
     for (signal, file) in [("-INT", "old.json"), ("-TERM", "new.json")] {
         let place = Place::with(&[("a.ron", &scene(HITS)), ("old.json", "before")]);
-        let child = start(&place, &["trace", "a.ron", "--format", "summary", "-o", file]);
+        let child = start(&place, &["trace", "a.ron", "--limit", SEGMENTS, "--format", "summary", "-o", file]);
         sleep(Duration::from_secs(2));
         let run = end(child, signal).status(130);
         assert_eq!(run.stdout() + &run.stderr(), "", "no progress where there is no terminal");
@@ -119,7 +121,7 @@ fn an_ignored_signal_stays_ignored_and_the_others_leave_nothing_behind() {
 fn progress_is_told_on_a_terminal_and_vanishes() {
     let place = Place::with(&[("long.ron", &scene(HITS)), ("short.ron", &scene(1))]);
     let run = |command: &str| {
-        let line = format!("{command} --format summary -o a.json");
+        let line = format!("{command} --limit {SEGMENTS} --format summary -o a.json");
         let mut script = Command::new("script");
         script.args(["-qec", &line.replace("snellius", env!("CARGO_BIN_EXE_snellius")), "/dev/null"]);
         as_if_started_by_hand(script.current_dir(place.path(""))).env("TERM", "xterm").output().ok().map(Run)

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use snellius::Scene;
-use snellius::scene::{self, DiagramSettings, Source, Spectrum, TraceSettings};
+use snellius::scene::{self, DiagramSettings, Limit, Source, Spectrum, TraceSettings};
 
 use crate::page::{Page, words};
 
@@ -99,24 +99,15 @@ fn the_reference_writes_out_every_default() {
 fn the_reference_names_every_limit() {
     let page = Page::read(SCENE_FORMAT);
     let limits = page.section("Limits");
-    let whole = [
-        scene::MAX_TEXT_BYTES as u64,
-        scene::MAX_BODIES as u64,
-        scene::MAX_POINTS as u64,
-        u64::from(scene::MAX_SIDES),
-        scene::MAX_RAYS,
-        scene::MAX_LINES as u64,
-        scene::MAX_NOTES as u64,
-        scene::MAX_OBJECTS as u64,
-        snellius::compile::MAX_COMPARISONS,
-    ];
-    for limit in whole.map(grouped) {
-        assert!(limits.contains(&format!("| {limit} ")), "{limit}");
+    for limit in Limit::ALL {
+        let row = format!("| `{}` | {} |", limit.name(), grouped(limit.usual()));
+        assert!(limits.contains(&row), "{row}");
     }
+    assert!(limits.contains(&format!("| {} ", grouped(snellius::compile::MAX_COMPARISONS))));
     for limit in [scene::MAX_LENGTH, scene::MIN_LENGTH] {
         assert!(limits.contains(&format!("{limit:e}")), "{limit:e}");
     }
-    assert!(page.section("Trace").contains(&grouped(scene::MAX_SEGMENTS)));
+    assert!(page.section("Trace").contains(&grouped(Limit::Segments.usual())));
     assert!(page.section("Diagram").contains(&format!("{} to {}", scene::MIN_PIXELS, scene::MAX_PIXELS)));
 }
 

@@ -161,7 +161,8 @@ fn random_scene(random: &mut Random) -> Scene {
         let medium = Medium::Index([1.0, 1.5, 1.5, 2.0][random.below(4)]);
         let next = body(outline(random), Substance::Medium(medium));
         // An outline that meets itself is refused, but for arcs that do so within 1e-9 of their size from an end.
-        let alone = Scene { bodies: vec![next.clone()], ..Scene::default() };
+        let mut alone = Scene::default();
+        alone.bodies.push(next.clone());
         let has_arcs = matches!(next.shape, Shape::Outline { .. });
         if compile(&alone).is_ok() && !(has_arcs && tally(&alone, random).wrong > 0.0) {
             scene.bodies.push(next);

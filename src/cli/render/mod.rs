@@ -65,7 +65,7 @@ struct Traced {
 
 impl Traced {
     fn of(scene: &Path, look: &Look, watch: &mut Stopwatch) -> Result<Self, Fault> {
-        let mut ready = scene::prepare(scene, watch)?;
+        let mut ready = scene::prepare(scene, &look.allowance.limits(), watch)?;
         look.dress(&mut ready.scene.diagram);
         watch.begin("tracing");
         let trace = trace::trace_watched(&ready.system, &progress::count);
@@ -77,6 +77,7 @@ impl Traced {
 impl Render {
     pub(super) fn run(&self) -> Result<Status, Mistake> {
         refuse_two_stdins(&self.scenes)?;
+        self.look.refuse_size()?;
         if self.panels {
             let pictures = self.pictures("panels".as_ref())?;
             refuse_collisions(pictures.iter(), &self.scenes)?;

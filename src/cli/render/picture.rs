@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use crate::cli::console::{Fault, Mistake, legible, tell};
+use crate::cli::limits::Allowance;
 use crate::cli::output::Target;
 use crate::cli::stats::Stopwatch;
 use crate::drawing::Drawing;
 use crate::render;
-use crate::scene::{self, DiagramSettings, MAX_PIXELS, MIN_PIXELS};
+use crate::scene::{self, DiagramSettings, Limit, MAX_PIXELS, MIN_PIXELS};
 
 const MIN_SCALE: f32 = 0.1;
 const MAX_SCALE: f32 = 16.0;
@@ -32,9 +33,27 @@ pub(super) struct Look {
     /// Draw the letters of an SVG as outlines, for where its font is missing; they are no text any more.
     #[arg(long)]
     outline_text: bool,
+    #[command(flatten)]
+    pub(super) allowance: Allowance,
 }
 
 impl Look {
+    /// Most pixels of a figure and of a picture.
+    fn most_pixels(&self) -> u64 {
+        self.allowance.limits().of(Limit::Pixels)
+    }
+
+    /// Refuses a size of more pixels than allowed.
+    pub(super) fn refuse_size(&self) -> Result<(), Mistake> {
+        let (most, pixels) = (self.most_pixels(), self.size.map(|size| size.map(u64::from).iter().product::<u64>()));
+        match pixels.filter(|pixels| *pixels > most) {
+            Some(pixels) => {
+                Err(Mistake(format!("--size asks for {pixels} pixels, above {most}; {}", Limit::Pixels.cure())))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// Puts what is asked for in place of a scene's own settings, but for the size.
     pub(super) fn dress(&self, settings: &mut DiagramSettings) {
         settings.theme = match self.theme {
@@ -141,11 +160,16 @@ impl Picture {
 
 impl Look {
     fn bytes(&self, drawing: &Drawing, format: Format, scene: &str) -> Result<Vec<u8>, Fault> {
-        let failed = |error| Fault(format!("{scene}: no picture: {error}"));
+        let failed = |error: render::RenderError| match error {
+            render::RenderError::Size { .. } => {
+                Fault(format!("{scene}: no picture: {error}; {}", Limit::Pixels.cure()))
+            }
+            _ => Fault(format!("{scene}: no picture: {error}")),
+        };
         match format {
             Format::Svg if self.outline_text => Ok(render::svg_outlined(drawing).into_bytes()),
             Format::Svg => Ok(render::svg(drawing).into_bytes()),
-            Format::Png => render::png(drawing, self.scale).map_err(failed),
+            Format::Png => render::png_within(drawing, self.scale, self.most_pixels()).map_err(failed),
             #[cfg(feature = "pdf")]
             Format::Pdf => render::pdf(drawing).map_err(failed),
             #[cfg(not(feature = "pdf"))]

@@ -4,12 +4,15 @@ use super::checker::{Checker, Text, show};
 use super::lens::{check_group, check_lens};
 use super::medium::check_medium;
 use super::outline::{check_arc, check_outline, check_polygon};
-use crate::scene::{Body, MAX_SIDES, Problem, Shape, Substance, Surface};
+use crate::scene::{Body, Limit, Problem, Shape, Substance, Surface};
 
 /// One body by itself.
-pub(super) fn check_body(c: &mut Checker, path: impl Text, body: &Body) {
+pub(super) fn check_body(c: &mut Checker<'_>, path: impl Text, body: &Body) {
     c.point(format_args!("{path}.at"), "the body's place", body.at);
     c.finite(format_args!("{path}.rotate"), "the angle", body.rotate);
+    if let Some(label) = &body.label {
+        c.words(format_args!("{path}.label"), label);
+    }
     check_shape(c, format_args!("{path}.shape"), &body.shape);
     match &body.substance {
         Substance::Medium(medium) => {
@@ -26,7 +29,7 @@ pub(super) fn check_body(c: &mut Checker, path: impl Text, body: &Body) {
     }
 }
 
-fn check_filling(c: &mut Checker, path: impl Text, shape: &Shape) {
+fn check_filling(c: &mut Checker<'_>, path: impl Text, shape: &Shape) {
     let fault = match shape {
         Shape::Flat { .. } | Shape::Arc { .. } | Shape::Stop { .. } => {
             Some(("an open shape encloses nothing that a `medium` could fill", "give it a `surface`, such as `Mirror`"))
@@ -38,11 +41,11 @@ fn check_filling(c: &mut Checker, path: impl Text, shape: &Shape) {
         _ => None,
     };
     if let Some((message, help)) = fault {
-        c.problems.push(Problem::error(path.to_string(), message, help).label("not on this shape"));
+        c.push(Problem::error(path.to_string(), message, help).label("not on this shape"));
     }
 }
 
-fn check_surface(c: &mut Checker, path: impl Text, surface: Surface, shape: &Shape) {
+fn check_surface(c: &mut Checker<'_>, path: impl Text, surface: Surface, shape: &Shape) {
     c.require(!matches!(shape, Shape::LensGroup { .. }), || {
         let message = "a lens group has no `surface` of its own";
         Problem::error(path.to_string(), message, "leave it out, or lay the surface on the face as a body of its own")
@@ -72,7 +75,13 @@ fn check_surface(c: &mut Checker, path: impl Text, surface: Surface, shape: &Sha
 }
 
 /// Two shares of a power, each from 0 to 1, and not above 1 together.
-pub(super) fn check_shares(c: &mut Checker, path: impl Text, names: [String; 2], shares: [f64; 2], what: [&str; 2]) {
+pub(super) fn check_shares(
+    c: &mut Checker<'_>,
+    path: impl Text,
+    names: [String; 2],
+    shares: [f64; 2],
+    what: [&str; 2],
+) {
     let first = c.within(&names[0], what[0], shares[0], [0.0, 1.0]);
     let second = c.within(&names[1], what[1], shares[1], [0.0, 1.0]);
     let sum = shares[0] + shares[1];
@@ -83,7 +92,7 @@ pub(super) fn check_shares(c: &mut Checker, path: impl Text, names: [String; 2],
     });
 }
 
-fn check_shape(c: &mut Checker, path: impl Text, shape: &Shape) {
+fn check_shape(c: &mut Checker<'_>, path: impl Text, shape: &Shape) {
     match shape {
         Shape::Polygon(points) => check_polygon(c, format_args!("{path}.points"), points),
         Shape::Rectangle { width, height } => {
@@ -91,7 +100,7 @@ fn check_shape(c: &mut Checker, path: impl Text, shape: &Shape) {
             c.length(format_args!("{path}.height"), "the height", *height);
         }
         Shape::RegularPolygon { sides, radius } => {
-            c.count(format_args!("{path}.sides"), "the number of sides", u64::from(*sides), [3, u64::from(MAX_SIDES)]);
+            c.limited(format_args!("{path}.sides"), "the number of sides", u64::from(*sides), 3, Limit::Sides);
             c.length(format_args!("{path}.radius"), "the radius", *radius);
         }
         Shape::Prism { apex_angle, side } => {
@@ -107,12 +116,8 @@ fn check_shape(c: &mut Checker, path: impl Text, shape: &Shape) {
         Shape::Lens { radii, thickness, diameter, facets } => {
             check_lens(c, path, *radii, *thickness, *diameter);
             if let Some(facets) = facets {
-                c.count(
-                    format_args!("{path}.facets"),
-                    "the number of facets",
-                    u64::from(*facets),
-                    [1, u64::from(MAX_SIDES)],
-                );
+                let path = format_args!("{path}.facets");
+                c.limited(path, "the number of facets", u64::from(*facets), 1, Limit::Sides);
             }
         }
         Shape::Outline { start, path: steps } => check_outline(c, path, *start, steps),
@@ -123,7 +128,7 @@ fn check_shape(c: &mut Checker, path: impl Text, shape: &Shape) {
     }
 }
 
-fn check_flat(c: &mut Checker, path: impl Text, from: DVec2, to: DVec2) {
+fn check_flat(c: &mut Checker<'_>, path: impl Text, from: DVec2, to: DVec2) {
     let end = format!("{path}.to");
     if c.point(format_args!("{path}.from"), "the first point", from) & c.point(&end, "the last point", to) {
         c.require(from != to, || {
@@ -133,14 +138,14 @@ fn check_flat(c: &mut Checker, path: impl Text, from: DVec2, to: DVec2) {
     }
 }
 
-fn check_apex(c: &mut Checker, path: impl Text, angle: f64) {
+fn check_apex(c: &mut Checker<'_>, path: impl Text, angle: f64) {
     c.require(angle > 0.0 && angle < 180.0, || {
         let message = format!("the apex angle must lie between 0° and 180°, not be {}°", show(angle));
         Problem::error(path.to_string(), message, "write an angle in degrees such as `60`").label("out of range")
     });
 }
 
-fn check_stop(c: &mut Checker, path: impl Text, opening: f64, height: f64) {
+fn check_stop(c: &mut Checker<'_>, path: impl Text, opening: f64, height: f64) {
     let at = format!("{path}.opening");
     if c.length(&at, "the opening", opening) & c.length(format_args!("{path}.height"), "the height", height) {
         c.require(height > opening, || {

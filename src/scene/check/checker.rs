@@ -2,7 +2,8 @@ use std::fmt::Display;
 
 use glam::DVec2;
 
-use crate::scene::{MAX_LENGTH, MIN_LENGTH, Problem};
+use crate::scene::problem::Found;
+use crate::scene::{Limit, Limits, MAX_LENGTH, MIN_LENGTH, Problem};
 
 /// What is written out only for a problem: the path of a value, or words for it.
 pub(super) trait Text: Display + Copy {}
@@ -10,20 +11,49 @@ pub(super) trait Text: Display + Copy {}
 impl<T: Display + Copy> Text for T {}
 
 /// Collects problems; the methods tell whether a value passed.
-#[derive(Debug, Default)]
-pub(super) struct Checker {
-    pub(super) problems: Vec<Problem>,
+pub(super) struct Checker<'a> {
+    pub(super) found: Found,
+    pub(super) limits: &'a Limits,
     /// Comparisons of curves with each other, to see whether outlines meet themselves.
     pub(super) comparisons: usize,
+    /// Whether what is wrong at a path is to be passed over.
+    ignored: &'a dyn Fn(&str) -> bool,
+    /// Whether a body is at fault, passed over or not.
+    pub(super) has_faulty_body: bool,
 }
 
-impl Checker {
+impl<'a> Checker<'a> {
+    pub(super) fn new(limits: &'a Limits, ignored: &'a dyn Fn(&str) -> bool) -> Self {
+        Self { found: Found::default(), limits, comparisons: 0, ignored, has_faulty_body: false }
+    }
+
+    pub(super) fn push(&mut self, problem: Problem) {
+        self.has_faulty_body |= problem.path.starts_with("bodies");
+        if !(self.ignored)(&problem.path) {
+            self.found.push(problem);
+        }
+    }
+
     /// Notes an error unless `ok`, and returns `ok`.
     pub(super) fn require(&mut self, ok: bool, problem: impl FnOnce() -> Problem) -> bool {
         if !ok {
-            self.problems.push(problem());
+            self.push(problem());
         }
         ok
+    }
+
+    /// A count from `low` to a limit.
+    pub(super) fn limited(&mut self, path: impl Text, what: impl Text, value: u64, low: u64, limit: Limit) -> bool {
+        let most = self.limits.of(limit);
+        self.require(value >= low, || {
+            let message = format!("{what} must be at least {low}, not {value}");
+            Problem::error(path.to_string(), message, format!("write a whole number from {low} to {most}"))
+                .label("out of range")
+        }) && self.require(value <= most, || {
+            let message = format!("{what} must be at most {most}, not {value}");
+            let help = format!("write a whole number from {low} to {most}; {}", limit.cure());
+            Problem::error(path.to_string(), message, help).label("out of range")
+        })
     }
 
     /// A finite number.
@@ -75,19 +105,33 @@ impl Checker {
             && self.require(value <= high, || count(format!("{what} must be at most {high}, not {value}")))
     }
 
-    /// How many entries a list has, within bounds, both included.
-    pub(super) fn size(&mut self, path: impl Text, owner: &str, what: &str, size: usize, bounds: [usize; 2]) -> bool {
-        let [low, high] = bounds;
+    /// How many entries a list has at least.
+    pub(super) fn at_least(&mut self, path: impl Text, owner: &str, what: &str, size: usize, low: usize) -> bool {
         self.require(size >= low, || {
             let message = match size {
                 0 => format!("{owner} needs {what}, but has none"),
                 _ => format!("{owner} needs at least {low} {what}, but has {size}"),
             };
             Problem::error(path.to_string(), message, format!("write {low} or more {what}")).label("too few")
-        }) && self.require(size <= high, || {
-            let message = format!("{owner} may have {high} {what}, but has {size}");
-            Problem::error(path.to_string(), message, format!("write at most {high} {what}")).label("too many")
         })
+    }
+
+    /// How many entries a list has at most.
+    pub(super) fn at_most(&mut self, path: impl Text, owner: &str, what: &str, size: u64, limit: Limit) -> bool {
+        let most = self.limits.of(limit);
+        self.require(size <= most, || {
+            let message = format!("{owner} may have {most} {what}, but has {size}");
+            let help = format!("write at most {most} {what}; {}", limit.cure());
+            Problem::error(path.to_string(), message, help).label("too many")
+        })
+    }
+
+    /// Words that a figure or a result repeats.
+    pub(super) fn words(&mut self, path: impl Text, words: &str) {
+        let most = self.limits.of(Limit::Letters);
+        // Counted only where there may be too many.
+        let size = if words.len() as u64 <= most { 0 } else { words.chars().count() as u64 };
+        self.at_most(path, "a text", "characters", size, Limit::Letters);
     }
 }
 

@@ -1,10 +1,10 @@
 use super::checker::{Checker, Text, show, show_at_least, show_rounded};
 use super::medium::check_medium;
-use crate::scene::{Element, MAX_POINTS, MIN_LENGTH, Problem};
+use crate::scene::{Element, MIN_LENGTH, Problem};
 
 /// A single lens: both faces reach the rim and do not cross there. Between vertex and rim the distance of two circular
 /// faces grows or shrinks steadily, so the rim decides.
-pub(super) fn check_lens(c: &mut Checker, path: impl Text, radii: [f64; 2], thickness: f64, diameter: f64) {
+pub(super) fn check_lens(c: &mut Checker<'_>, path: impl Text, radii: [f64; 2], thickness: f64, diameter: f64) {
     let wide = c.length(format_args!("{path}.diameter"), "the diameter", diameter);
     let thick = c.length(format_args!("{path}.thickness"), "the thickness", thickness);
     let reach = [0, 1].map(|k| check_radius(c, format_args!("{path}.radii[{k}]"), radii[k], wide.then_some(diameter)));
@@ -14,7 +14,7 @@ pub(super) fn check_lens(c: &mut Checker, path: impl Text, radii: [f64; 2], thic
 }
 
 /// A radius that is not 0 and lets the face reach the rim.
-fn check_radius(c: &mut Checker, path: impl Text, radius: f64, diameter: Option<f64>) -> bool {
+fn check_radius(c: &mut Checker<'_>, path: impl Text, radius: f64, diameter: Option<f64>) -> bool {
     let sound = c.require(radius.abs() >= MIN_LENGTH, || {
         let message = format!("a radius of {} makes no face", show(radius));
         let help = "write `inf` for a plane face, a positive radius where the center lies to the right";
@@ -31,7 +31,7 @@ fn check_radius(c: &mut Checker, path: impl Text, radius: f64, diameter: Option<
 }
 
 /// The faces do not cross inside of the diameter; `path` is that of the thickness.
-fn check_edge(c: &mut Checker, path: impl Text, radii: [f64; 2], thickness: f64, diameter: f64) {
+fn check_edge(c: &mut Checker<'_>, path: impl Text, radii: [f64; 2], thickness: f64, diameter: f64) {
     let [left, right] = radii.map(|radius| sag(radius, 0.5 * diameter));
     let edge = thickness + right - left;
     let rounding = 16.0 * f64::EPSILON * thickness.max(left.abs()).max(right.abs());
@@ -50,10 +50,10 @@ fn sag(radius: f64, height: f64) -> f64 {
 }
 
 /// A lens prescription, surface by surface.
-pub(super) fn check_group(c: &mut Checker, path: impl Text, diameter: f64, surfaces: &[Element]) {
+pub(super) fn check_group(c: &mut Checker<'_>, path: impl Text, diameter: f64, surfaces: &[Element]) {
     let wide = c.length(format_args!("{path}.diameter"), "the diameter", diameter);
     let list = format!("{path}.surfaces");
-    if !c.size(&list, "a lens group", "surfaces", surfaces.len(), [2, MAX_POINTS]) {
+    if !c.at_least(&list, "a lens group", "surfaces", surfaces.len(), 2) {
         return;
     }
     let reach: Vec<bool> = (surfaces.iter().enumerate())
@@ -71,7 +71,7 @@ pub(super) fn check_group(c: &mut Checker, path: impl Text, diameter: f64, surfa
 }
 
 /// A surface that another one follows; its thickness if that is sound.
-fn check_element(c: &mut Checker, path: impl Text, element: &Element) -> Option<f64> {
+fn check_element(c: &mut Checker<'_>, path: impl Text, element: &Element) -> Option<f64> {
     for (name, missing) in [("thickness", element.thickness.is_none()), ("medium", element.medium.is_none())] {
         c.require(!missing, || {
             let message = format!("a surface that is not the last one needs the field `{name}`");
@@ -86,7 +86,7 @@ fn check_element(c: &mut Checker, path: impl Text, element: &Element) -> Option<
 }
 
 /// Nothing of the group follows the last surface.
-fn check_last(c: &mut Checker, path: impl Text, last: &Element) {
+fn check_last(c: &mut Checker<'_>, path: impl Text, last: &Element) {
     for (name, given) in [("thickness", last.thickness.is_some()), ("medium", last.medium.is_some())] {
         c.require(!given, || {
             let message = format!("the last surface of a lens group has no `{name}`: the group ends there");

@@ -3,19 +3,17 @@ use std::collections::HashSet;
 use glam::DVec2;
 
 use super::checker::{Checker, Text, show};
-use crate::scene::{
-    Direction, Light, MAX_LINES, MAX_OBJECTS, MAX_RAYS, Problem, Scene, Shape, Source, Spectrum, facing,
-};
+use crate::scene::{Direction, Light, Limit, Problem, Scene, Shape, Source, Spectrum, facing};
 
 /// Rays of an object, at most.
 const OBJECT_RAYS: u64 = 3;
 
 /// One source by itself.
-pub(super) fn check_source(c: &mut Checker, path: impl Text, source: &Source) {
+pub(super) fn check_source(c: &mut Checker<'_>, path: impl Text, source: &Source) {
     check_light(c, format_args!("{path}.light"), &source.light);
     check_spectrum(c, format_args!("{path}.spectrum"), &source.spectrum);
     let power = format!("{path}.power");
-    let is_positive = |c: &mut Checker| {
+    let is_positive = |c: &mut Checker<'_>| {
         c.require(source.power > 0.0, || {
             let message = format!("the power must be above 0, not {}", show(source.power));
             Problem::error(&power, message, "write a positive number; the whole source has this power")
@@ -27,7 +25,7 @@ pub(super) fn check_source(c: &mut Checker, path: impl Text, source: &Source) {
     }
 }
 
-fn check_light(c: &mut Checker, path: impl Text, light: &Light) {
+fn check_light(c: &mut Checker<'_>, path: impl Text, light: &Light) {
     match light {
         Light::Ray { from, direction } => check_start(c, path, "from", *from, direction),
         Light::Beam { center, direction, width, rays } => {
@@ -62,7 +60,7 @@ fn check_light(c: &mut Checker, path: impl Text, light: &Light) {
     }
 }
 
-fn check_start(c: &mut Checker, path: impl Text, name: &str, start: DVec2, direction: &Direction) {
+fn check_start(c: &mut Checker<'_>, path: impl Text, name: &str, start: DVec2, direction: &Direction) {
     c.point(format_args!("{path}.{name}"), "the start", start);
     match direction {
         Direction::Angle(degrees) => {
@@ -80,11 +78,11 @@ fn check_start(c: &mut Checker, path: impl Text, name: &str, start: DVec2, direc
     }
 }
 
-fn check_rays(c: &mut Checker, path: impl Text, rays: u32) {
-    c.count(format_args!("{path}.rays"), "the number of rays", u64::from(rays), [1, MAX_RAYS]);
+fn check_rays(c: &mut Checker<'_>, path: impl Text, rays: u32) {
+    c.limited(format_args!("{path}.rays"), "the number of rays", u64::from(rays), 1, Limit::Rays);
 }
 
-fn check_spread(c: &mut Checker, path: impl Text, spread: f64, rays: u32) {
+fn check_spread(c: &mut Checker<'_>, path: impl Text, spread: f64, rays: u32) {
     if !c.finite(path, "the spread", spread) {
         return;
     }
@@ -99,23 +97,20 @@ fn check_spread(c: &mut Checker, path: impl Text, spread: f64, rays: u32) {
     });
 }
 
-fn check_spectrum(c: &mut Checker, path: impl Text, spectrum: &Spectrum) {
+fn check_spectrum(c: &mut Checker<'_>, path: impl Text, spectrum: &Spectrum) {
     match spectrum {
         Spectrum::Line(nm) => drop(check_line(c, format_args!("{path}.nm"), *nm)),
         Spectrum::Lines(lines) => check_lines(c, format_args!("{path}.nm"), lines),
         Spectrum::White { samples } => {
-            c.count(
-                format_args!("{path}.samples"),
-                "the number of samples",
-                u64::from(*samples),
-                [1, MAX_LINES as u64],
-            );
+            c.limited(format_args!("{path}.samples"), "the number of samples", u64::from(*samples), 1, Limit::Lines);
         }
     }
 }
 
-fn check_lines(c: &mut Checker, path: impl Text, lines: &[f64]) {
-    if !c.size(path, "a spectrum", "lines", lines.len(), [1, MAX_LINES]) {
+fn check_lines(c: &mut Checker<'_>, path: impl Text, lines: &[f64]) {
+    if !(c.at_least(path, "a spectrum", "lines", lines.len(), 1)
+        && c.at_most(path, "a spectrum", "lines", lines.len() as u64, Limit::Lines))
+    {
         return;
     }
     let mut seen = HashSet::new();
@@ -130,7 +125,7 @@ fn check_lines(c: &mut Checker, path: impl Text, lines: &[f64]) {
     }
 }
 
-fn check_line(c: &mut Checker, path: impl Text, nm: f64) -> bool {
+fn check_line(c: &mut Checker<'_>, path: impl Text, nm: f64) -> bool {
     c.finite(path, "the wavelength", nm)
         && c.require(nm > 0.0, || {
             let message = format!("a wavelength must be above 0 nm, not {}", show(nm));
@@ -145,11 +140,11 @@ fn check_line(c: &mut Checker, path: impl Text, nm: f64) -> bool {
 
 /// Objects face something that makes an image of them. What is wrong with a body may be the reason that they do not: that
 /// comes first.
-pub(super) fn check_objects(c: &mut Checker, scene: &Scene) {
-    let are_bodies_sound = c.problems.iter().all(|problem| !problem.path.starts_with("bodies"))
+pub(super) fn check_objects(c: &mut Checker<'_>, scene: &Scene) {
+    let are_bodies_sound = !c.has_faulty_body
         && scene.bodies.iter().all(|body| !matches!(body.shape, Shape::Disk { radius } if radius.is_nan()));
     let objects = scene.sources.iter().filter(|source| matches!(source.light, Light::Object { .. })).count();
-    let are_few = c.size("sources", "a scene", "objects", objects, [0, MAX_OBJECTS]);
+    let are_few = c.at_most("sources", "a scene", "objects", objects as u64, Limit::Objects);
     for (k, source) in scene.sources.iter().enumerate().filter(|_| are_bodies_sound && are_few) {
         let Light::Object { from, to } = source.light else { continue };
         if !from.is_finite() || !to.is_finite() || from == to {
@@ -160,7 +155,7 @@ pub(super) fn check_objects(c: &mut Checker, scene: &Scene) {
             let message = "nothing in the scene makes an image of this object";
             let help =
                 "add a `ThinLens`, a `Mirror` on an `Arc` or a `Flat`, a `Lens` or a `LensGroup`, or use a `Fan`";
-            c.problems.push(Problem::error(path(), message, help).label("faces nothing"));
+            c.push(Problem::error(path(), message, help).label("faces nothing"));
             continue;
         };
         c.require(axis.along_light(to).is_some(), || {
@@ -171,20 +166,21 @@ pub(super) fn check_objects(c: &mut Checker, scene: &Scene) {
     }
 }
 
-/// The rays of all sources together, before any memory is taken for them.
-pub(super) fn check_ray_total(c: &mut Checker, sources: &[Source]) {
+/// The rays of all sources together, before any memory is taken for them; tells whether they are few enough.
+pub(super) fn check_ray_total(c: &mut Checker<'_>, sources: &[Source]) -> bool {
+    let most = c.limits.of(Limit::Rays);
     let mut total: u64 = 0;
     for (k, source) in sources.iter().enumerate() {
         let before = total;
         total = total.saturating_add(rays(&source.light).saturating_mul(lines(&source.spectrum)));
-        if before <= MAX_RAYS && total > MAX_RAYS {
-            let message = format!(
-                "the scene has {total} rays so far, each counted once per line; at most {MAX_RAYS} are allowed"
-            );
-            let help = "lower `rays` or the number of spectral lines";
-            c.problems.push(Problem::error(format!("sources[{k}].light"), message, help).label("too many"));
+        if before <= most && total > most {
+            let message =
+                format!("the scene has {total} rays so far, each counted once per line; at most {most} are allowed");
+            let help = format!("lower `rays` or the number of spectral lines; {}", Limit::Rays.cure());
+            c.push(Problem::error(format!("sources[{k}].light"), message, help).label("too many"));
         }
     }
+    total <= most && sources.iter().all(|source| lines(&source.spectrum) <= c.limits.of(Limit::Lines))
 }
 
 fn rays(light: &Light) -> u64 {

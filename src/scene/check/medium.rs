@@ -1,19 +1,20 @@
 use std::collections::HashSet;
-use std::fmt;
 
 use super::checker::{Checker, Text, show, show_rounded};
 use crate::light::Wavelength;
 use crate::media::{Dispersion, MediumError};
-use crate::scene::{MAX_INDEX, MAX_LINES, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
+use crate::scene::{Body, Limit, MAX_INDEX, Medium, Problem, Scene, Shape, Source, Substance};
 
 /// A medium's own numbers, or its name in the catalog; indices over the spectrum are checked with the sources.
-pub(super) fn check_medium(c: &mut Checker, path: impl Text, medium: &Medium) {
+pub(super) fn check_medium(c: &mut Checker<'_>, path: impl Text, medium: &Medium) {
     match medium.dispersion() {
         Err(problem) => {
             let path = if problem.path.is_empty() { path.to_string() } else { format!("{path}.{}", problem.path) };
-            c.problems.push(Problem { path, ..problem });
+            c.push(Problem { path, ..problem });
         }
-        Ok(dispersion) if is_constant(medium) => c.problems.extend(too_large(path, dispersion.index(Wavelength::D))),
+        Ok(dispersion) if is_constant(medium) => {
+            too_large(path, dispersion.index(Wavelength::D)).into_iter().for_each(|problem| c.push(problem))
+        }
         Ok(_) => {}
     }
 }
@@ -30,15 +31,58 @@ fn too_large(path: impl Text, index: f64) -> Option<Problem> {
     })
 }
 
-/// Every line of every source has an index in every medium.
-pub(super) fn check_wavelengths(c: &mut Checker, scene: &Scene) {
-    let media = dispersive_media(scene);
-    for (k, source) in scene.sources.iter().enumerate() {
+/// Every line of every source has an index in every medium. The lines are few enough to be gone through.
+pub(super) fn check_wavelengths(c: &mut Checker<'_>, scene: &Scene) {
+    let lines: HashSet<u64> =
+        scene.sources.iter().flat_map(|source| source.spectrum.lines()).map(f64::to_bits).collect();
+    if !check_indices(c, scene, lines.len() as u64) {
+        return;
+    }
+    let is_faulty = |dispersion: &Dispersion, line: u64| {
+        let line = Wavelength::from_nanometers(f64::from_bits(line));
+        line.is_some_and(|line| !is_sound(&dispersion.check(line)))
+    };
+    let mut media = dispersive_media(scene);
+    let mut faulty: HashSet<u64> = HashSet::new();
+    media.retain(|(_, _, dispersion)| {
+        let faults: Vec<u64> = lines.iter().copied().filter(|line| is_faulty(dispersion, *line)).collect();
+        faulty.extend(&faults);
+        !faults.is_empty()
+    });
+    let is_at_fault = |source: &Source| source.spectrum.lines().any(|line| faulty.contains(&line.to_bits()));
+    for (k, source) in scene.sources.iter().enumerate().filter(|(_, source)| is_at_fault(source)) {
         let path = format!("sources[{k}].spectrum");
         for (owner, medium, dispersion) in &media {
-            c.problems.extend(first_fault(&path, source, owner, medium, dispersion));
+            if c.found.is_full() {
+                return;
+            }
+            first_fault(&path, source, owner, medium, dispersion).into_iter().for_each(|problem| c.push(problem));
         }
     }
+}
+
+/// The index of every medium at every line, before any is computed.
+fn check_indices(c: &mut Checker<'_>, scene: &Scene, lines: u64) -> bool {
+    let most = c.limits.of(Limit::Indices);
+    let indices = |media: usize| (media as u64).saturating_mul(lines);
+    // Told apart only where there may be too many.
+    if indices(1 + media(scene).count()) <= most {
+        return true;
+    }
+    let different: HashSet<String> = media(scene).map(|(_, medium)| format!("{medium:?}")).collect();
+    let indices = indices(different.len());
+    c.require(indices <= most, || {
+        let media = different.len();
+        let message = format!(
+            "{media} media at {lines} spectral lines have {indices} refractive indices; at most {most} are allowed"
+        );
+        let help = format!("use fewer different media or spectral lines; {}", Limit::Indices.cure());
+        Problem::error("", message, help).label("too many")
+    })
+}
+
+fn is_sound(index: &Result<f64, MediumError>) -> bool {
+    index.as_ref().is_ok_and(|index| *index <= MAX_INDEX)
 }
 
 /// The problem at the first line for which a medium has no index.
@@ -49,12 +93,9 @@ fn first_fault(
     medium: &Medium,
     dispersion: &Dispersion,
 ) -> Option<Problem> {
-    if matches!(source.spectrum, Spectrum::White { samples } if samples as usize > MAX_LINES) {
-        return None;
-    }
     let lines = source.spectrum.lines().filter_map(Wavelength::from_nanometers);
     let mut checked = lines.map(|line| dispersion.check(line));
-    let error = match checked.find(|checked| !checked.as_ref().is_ok_and(|index| *index <= MAX_INDEX))? {
+    let error = match checked.find(|checked| !is_sound(checked))? {
         Ok(index) => return too_large(owner, index),
         Err(error) => error,
     };
@@ -85,27 +126,39 @@ fn first_fault(
 }
 
 /// Media whose index depends on the wavelength, once each, with the path of where they are first used.
-fn dispersive_media<'a>(scene: &'a Scene) -> Vec<(String, &'a Medium, Dispersion)> {
-    let mut media = Vec::new();
+fn dispersive_media(scene: &Scene) -> Vec<(String, &Medium, Dispersion)> {
     let mut known = HashSet::new();
-    let mut add = |path: fmt::Arguments<'_>, medium: &'a Medium| {
-        if is_constant(medium) || !known.insert(format!("{medium:?}")) {
-            return;
-        }
-        if let Ok(dispersion) = medium.dispersion() {
-            media.push((path.to_string(), medium, dispersion));
-        }
-    };
-    add(format_args!("surroundings"), &scene.surroundings);
-    for (k, body) in scene.bodies.iter().enumerate() {
-        if let Substance::Medium(medium) = &body.substance {
-            add(format_args!("bodies[{k}].medium"), medium);
-        }
-        if let Shape::LensGroup { surfaces, .. } = &body.shape {
-            for (j, medium) in surfaces.iter().enumerate().filter_map(|(j, s)| Some((j, s.medium.as_ref()?))) {
-                add(format_args!("bodies[{k}].shape.surfaces[{j}].medium"), medium);
-            }
+    let dispersive = media(scene).filter(|(_, medium)| !is_constant(medium) && known.insert(format!("{medium:?}")));
+    dispersive.filter_map(|(owner, medium)| Some((owner.path(), medium, medium.dispersion().ok()?))).collect()
+}
+
+/// What a medium fills.
+enum Owner {
+    Surroundings,
+    Body(usize),
+    /// The space behind a surface of a lens group.
+    Element(usize, usize),
+}
+
+impl Owner {
+    fn path(&self) -> String {
+        match self {
+            Self::Surroundings => "surroundings".to_owned(),
+            Self::Body(body) => format!("bodies[{body}].medium"),
+            Self::Element(body, surface) => format!("bodies[{body}].shape.surfaces[{surface}].medium"),
         }
     }
-    media
+}
+
+/// All media of a scene, in the order of their first use.
+fn media(scene: &Scene) -> impl Iterator<Item = (Owner, &Medium)> {
+    fn of_body((k, body): (usize, &Body)) -> impl Iterator<Item = (Owner, &Medium)> {
+        let own = if let Substance::Medium(medium) = &body.substance { Some((Owner::Body(k), medium)) } else { None };
+        let surfaces = if let Shape::LensGroup { surfaces, .. } = &body.shape { surfaces.as_slice() } else { &[] };
+        let within =
+            surfaces.iter().enumerate().filter_map(move |(j, s)| Some((Owner::Element(k, j), s.medium.as_ref()?)));
+        own.into_iter().chain(within)
+    }
+    let first = std::iter::once((Owner::Surroundings, &scene.surroundings));
+    first.chain(scene.bodies.iter().enumerate().flat_map(of_body))
 }

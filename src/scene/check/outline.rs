@@ -4,12 +4,12 @@ use super::checker::{Checker, Text, show_point};
 use super::crossing::{Fault, MOST_STEPS, first_fault};
 use crate::geometry::Curve;
 use crate::numerics::{Sum, cross};
-use crate::scene::{MAX_LENGTH, MAX_POINTS, PathStep, Problem};
+use crate::scene::{MAX_LENGTH, PathStep, Problem};
 
 /// The vertices of a simple polygon; `path` is that of their list.
-pub(super) fn check_polygon(c: &mut Checker, path: impl Text, points: &[DVec2]) {
+pub(super) fn check_polygon(c: &mut Checker<'_>, path: impl Text, points: &[DVec2]) {
     let at = |k: usize| format!("{path}[{k}]");
-    let enough = c.size(path, "a polygon", "points", points.len(), [3, MAX_POINTS]);
+    let enough = c.at_least(path, "a polygon", "points", points.len(), 3);
     // One far point is enough to tell.
     let sound =
         points.iter().enumerate().all(|(k, p)| is_near(*p) || c.point(format_args!("{path}[{k}]"), "a point", *p));
@@ -17,11 +17,11 @@ pub(super) fn check_polygon(c: &mut Checker, path: impl Text, points: &[DVec2]) 
     let repeated = points.windows(2).position(|pair| pair[0] == pair[1]);
     if let Some(k) = repeated {
         let message = format!("the point {} stands twice in a row", show_point(points[k]));
-        c.problems.push(Problem::error(at(k + 1), message, "leave one of the two out").label("same as before"));
+        c.push(Problem::error(at(k + 1), message, "leave one of the two out").label("same as before"));
     } else if points.last() == Some(first) {
         let help = "leave the last point out: an outline closes by itself";
         let problem = Problem::error(at(points.len() - 1), "the last point repeats the first one", help);
-        c.problems.push(problem.label("same as the first"));
+        c.push(problem.label("same as the first"));
     } else {
         let next = points.iter().cycle().skip(1);
         let edges: Vec<Curve> = points.iter().zip(next).map(|(a, b)| Curve::line(*a, *b)).collect();
@@ -36,10 +36,10 @@ fn is_near(p: DVec2) -> bool {
 }
 
 /// Edges and arcs in order; `path` is that of the shape.
-pub(super) fn check_outline(c: &mut Checker, path: impl Text, start: DVec2, steps: &[PathStep]) {
+pub(super) fn check_outline(c: &mut Checker<'_>, path: impl Text, start: DVec2, steps: &[PathStep]) {
     let list = format!("{path}.path");
     let mut sound = c.point(format_args!("{path}.start"), "the start", start);
-    sound &= c.size(&list, "an outline", "steps", steps.len(), [1, MAX_POINTS]);
+    sound &= c.at_least(&list, "an outline", "steps", steps.len(), 1);
     let mut here = start;
     let mut curves = Vec::new();
     for (k, step) in steps.iter().enumerate() {
@@ -57,7 +57,7 @@ pub(super) fn check_outline(c: &mut Checker, path: impl Text, start: DVec2, step
     }
 }
 
-fn check_step(c: &mut Checker, path: impl Text, from: DVec2, step: PathStep) -> Option<Curve> {
+fn check_step(c: &mut Checker<'_>, path: impl Text, from: DVec2, step: PathStep) -> Option<Curve> {
     match step {
         PathStep::LineTo(to) => {
             let sound = c.point(format_args!("{path}.to"), "a point", to)
@@ -76,7 +76,7 @@ fn check_step(c: &mut Checker, path: impl Text, from: DVec2, step: PathStep) -> 
 }
 
 /// An open arc; `path` is that of the shape.
-pub(super) fn check_arc(c: &mut Checker, path: impl Text, from: DVec2, through: DVec2, to: DVec2) {
+pub(super) fn check_arc(c: &mut Checker<'_>, path: impl Text, from: DVec2, through: DVec2, to: DVec2) {
     let points = [("from", from), ("through", through), ("to", to)];
     let sound = points.map(|(name, p)| c.point(format_args!("{path}.{name}"), "a point", p));
     if sound == [true; 3] {
@@ -84,7 +84,7 @@ pub(super) fn check_arc(c: &mut Checker, path: impl Text, from: DVec2, through: 
     }
 }
 
-fn check_three_points(c: &mut Checker, path: impl Text, from: DVec2, through: DVec2, to: DVec2) -> Option<Curve> {
+fn check_three_points(c: &mut Checker<'_>, path: impl Text, from: DVec2, through: DVec2, to: DVec2) -> Option<Curve> {
     let arc = Curve::arc(from, through, to).filter(|arc| arc.curvature.is_finite() && arc.curvature != 0.0);
     let points = || [from, through, to].map(show_point);
     let (message, help) = if from == to {
@@ -101,7 +101,7 @@ fn check_three_points(c: &mut Checker, path: impl Text, from: DVec2, through: DV
 }
 
 /// A closed chain of sound curves encloses an area and does not meet itself; `at` names the place of a curve.
-fn check_chain(c: &mut Checker, path: impl Text, at: impl Fn(usize) -> String, curves: &[Curve]) {
+fn check_chain(c: &mut Checker<'_>, path: impl Text, at: impl Fn(usize) -> String, curves: &[Curve]) {
     let area = c.require(encloses_area(curves), || {
         Problem::error(path.to_string(), "the outline encloses no area", "move the points apart: they lie on one line")
             .label("no area")
@@ -123,7 +123,7 @@ fn check_chain(c: &mut Checker, path: impl Text, at: impl Fn(usize) -> String, c
             Problem::error(path.to_string(), message, "use fewer points, or several bodies").label("too many")
         }
     };
-    c.problems.push(problem);
+    c.push(problem);
 }
 
 fn described(curve: &Curve) -> String {

@@ -1,28 +1,31 @@
 use super::body::check_shares;
 use super::checker::{Checker, Text, show, show_point};
-use crate::scene::{
-    DiagramSettings, MAX_DEVIATIONS, MAX_PIXELS, MAX_SEGMENTS, MIN_PIXELS, Problem, SecondaryRays, TraceSettings, View,
-};
+use crate::scene::{DiagramSettings, Limit, MAX_PIXELS, MIN_PIXELS, Problem, SecondaryRays, TraceSettings, View};
 
 /// How far rays are followed.
-pub(super) fn check_trace(c: &mut Checker, trace: &TraceSettings) {
+pub(super) fn check_trace(c: &mut Checker<'_>, trace: &TraceSettings) {
     if let SecondaryRays::Fixed { kr, kt } = trace.secondary_rays {
         let path = "trace.secondary_rays";
         check_shares(c, path, [format!("{path}.kr"), format!("{path}.kt")], [kr, kt], ["`kr`", "`kt`"]);
     }
     c.count("trace.max_depth", "`max_depth`", u64::from(trace.max_depth), [1, u64::from(u32::MAX)]);
-    c.count("trace.max_segments", "`max_segments`", trace.max_segments, [1, MAX_SEGMENTS]);
+    c.limited("trace.max_segments", "`max_segments`", trace.max_segments, 1, Limit::Segments);
     check_fraction(c, "trace.min_power", "`min_power`", trace.min_power);
 }
 
 /// What the figure shows.
-pub(super) fn check_diagram(c: &mut Checker, diagram: &DiagramSettings) {
+pub(super) fn check_diagram(c: &mut Checker<'_>, diagram: &DiagramSettings) {
+    let mut sound = true;
     for (k, what) in ["the figure's width", "the figure's height"].into_iter().enumerate() {
         let bounds = [u64::from(MIN_PIXELS), u64::from(MAX_PIXELS)];
-        c.count(format_args!("diagram.size[{k}]"), what, u64::from(diagram.size[k]), bounds);
+        sound &= c.count(format_args!("diagram.size[{k}]"), what, u64::from(diagram.size[k]), bounds);
+    }
+    if sound {
+        let pixels = diagram.size.iter().map(|side| u64::from(*side)).product();
+        c.at_most("diagram.size", "a figure", "pixels", pixels, Limit::Pixels);
     }
     check_fraction(c, "diagram.faintest", "`faintest`", diagram.faintest);
-    c.size("diagram.deviations", "a figure", "deviations", diagram.deviations.len(), [0, MAX_DEVIATIONS]);
+    c.at_most("diagram.deviations", "a figure", "deviations", diagram.deviations.len() as u64, Limit::Deviations);
     if let Some(step) = diagram.wavefronts {
         c.length("diagram.wavefronts", "the optical path between wavefronts", step);
     }
@@ -40,7 +43,7 @@ pub(super) fn check_diagram(c: &mut Checker, diagram: &DiagramSettings) {
 }
 
 /// A share of a power that may be 0 and is below 1.
-fn check_fraction(c: &mut Checker, path: impl Text, what: impl Text, value: f64) {
+fn check_fraction(c: &mut Checker<'_>, path: impl Text, what: impl Text, value: f64) {
     c.require((0.0..1.0).contains(&value), || {
         let message = format!(
             "{what} is a share of the starting power from 0 up to, but not including, 1; here it is {}",

@@ -5,6 +5,7 @@ use super::node::Node;
 use super::reader::{Read, Reader};
 use super::variant::Form;
 use crate::scene::color::{COLOR_HELP, parse_color};
+use crate::scene::problem::shortened;
 use crate::scene::{Body, Medium, Shape, Substance, Surface};
 
 const FIELDS: [&str; 8] = ["name", "label", "color", "shape", "at", "rotate", "medium", "surface"];
@@ -49,7 +50,7 @@ impl Read for [u8; 3] {
         let text = String::read(r, node)?;
         let color = parse_color(&text);
         if color.is_none() {
-            r.refuse(node, format!("`{text}` is not a known color"), "unknown color", COLOR_HELP);
+            r.refuse(node, format!("`{}` is not a known color", shortened(&text)), "unknown color", COLOR_HELP);
         }
         color
     }

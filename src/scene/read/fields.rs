@@ -49,7 +49,7 @@ impl<'a> Fields<'a> {
         }
         let inner = inside_some(value);
         let value = inner.as_ref().unwrap_or(value);
-        r.places.insert(&value.path, value.span());
+        r.place(&value.path, value.span());
         Some(r.read(value))
     }
 
@@ -62,7 +62,7 @@ impl<'a> Fields<'a> {
 /// The value in `Some(value)`.
 fn inside_some<'a>(value: &Node<'a>) -> Option<Node<'a>> {
     let ("Some", Some(arguments)) = value.word()? else { return None };
-    let [mut inner] = <[Node<'a>; 1]>::try_from(arguments.group()?).ok()?;
+    let [mut inner] = arguments.group_of()?;
     inner.path.clone_from(&value.path);
     Some(inner)
 }

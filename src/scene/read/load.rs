@@ -1,7 +1,7 @@
 use super::node::{Node, check_syntax, enables_extensions};
 use super::reader::Reader;
 use super::syntax::syntax_problem;
-use crate::scene::{MAX_TEXT_BYTES, Places, Problem, Problems, Scene, Severity};
+use crate::scene::{Limit, Limits, Places, Problem, Problems, Scene, Severity};
 
 /// A scene that was read from text, free of errors.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,33 +15,43 @@ pub struct Loaded {
     pub warnings: Vec<Problem>,
 }
 
-/// Reads a scene from the text of its file.
+/// Reads a scene from the text of its file, within the usual [`Limits`].
 ///
 /// A byte order mark at the beginning is passed over; spans count it.
 ///
 /// # Errors
 /// All problems of the scene, in the order of the text, at least one of them an error. Where the text cannot be parsed, the one
-/// place where parsing stopped.
+/// place where parsing stopped. Of more than 1000 problems, the rest is only counted, and what depends on others is not checked.
 pub fn load(text: &str) -> Result<Loaded, Vec<Problem>> {
+    load_within(text, &Limits::default())
+}
+
+/// [`load`] within limits of one's own.
+///
+/// # Errors
+/// As those of [`load`].
+pub fn load_within(text: &str, limits: &Limits) -> Result<Loaded, Vec<Problem>> {
     let body = text.strip_prefix('\u{feff}').unwrap_or(text);
     let offset = text.len() - body.len();
-    if body.len() > MAX_TEXT_BYTES {
-        return Err(vec![too_long(body.len())]);
+    if body.len() as u64 > limits.of(Limit::Bytes) {
+        return Err(vec![too_long(body.len(), limits.of(Limit::Bytes))]);
     }
     check_syntax(body).map_err(|error| vec![syntax_problem(body, offset, &error)])?;
     if enables_extensions(body) {
         return Err(vec![extension(offset)]);
     }
-    let mut reader = Reader::default();
+    let mut reader = Reader::new(*limits);
     let root = Node::root(body, offset);
-    reader.places.insert("", root.span());
+    reader.place("", root.span());
     let scene: Scene = reader.read(&root);
-    // What a stand-in gets wrong says nothing about the file.
-    let faults = scene.validate().into_iter().filter(|problem| !reader.is_stand_in(&problem.path));
-    let mut problems: Vec<Problem> = faults.collect();
-    problems.append(&mut reader.problems);
+    let mut found = std::mem::take(&mut reader.problems);
+    if !found.is_full() {
+        // What a stand-in gets wrong says nothing about the file.
+        found.append(scene.faults(limits, &|path| reader.is_stand_in(path)));
+    }
+    let mut problems = found.into_list();
     problems.iter_mut().for_each(|problem| locate(problem, &reader.places, text));
-    problems.sort_by_key(|problem| problem.span.as_ref().map(|span| span.start));
+    problems.sort_by_key(|problem| (problem.more > 0, problem.span.as_ref().map(|span| span.start)));
     if problems.iter().any(|problem| problem.severity == Severity::Error) {
         return Err(problems);
     }
@@ -79,9 +89,10 @@ fn extension(offset: usize) -> Problem {
         .at(offset..offset + 1)
 }
 
-fn too_long(bytes: usize) -> Problem {
-    let message = format!("the text is {bytes} bytes long; at most {MAX_TEXT_BYTES} are read");
-    Problem::error("", message, "split the scene, or give curved outlines as arcs instead of many points").at(0..0)
+fn too_long(bytes: usize, most: u64) -> Problem {
+    let message = format!("the text is {bytes} bytes long; at most {most} are read");
+    let help = "split the scene, or give curved outlines as arcs instead of many points";
+    Problem::error("", message, format!("{help}; {}", Limit::Bytes.cure())).at(0..0)
 }
 
 /// Points of long lists are not recorded one by one; here the one at fault is looked up.
@@ -98,6 +109,9 @@ fn node_at<'a>(path: &str, places: &Places, text: &'a str) -> Option<Node<'a>> {
     }
     let (list, index) = path.strip_suffix(']')?.rsplit_once('[')?;
     let list = node_at(list, places, text)?;
-    let mut elements = list.list().or_else(|| list.group())?.into_iter();
-    elements.nth(index.parse().ok()?)
+    let index = index.parse().ok()?;
+    match list.list() {
+        Some(mut elements) => elements.nth(index),
+        None => list.group()?.nth(index),
+    }
 }

@@ -34,7 +34,7 @@ impl Read for Medium {
 /// The coefficients of Sellmeier's formula.
 impl Read for [f64; 3] {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        let numbers: Vec<f64> = r.each(node, "numbers")?;
+        let numbers = Vec::<f64>::read(r, node)?;
         let found = numbers.len();
         let three = Self::try_from(numbers).ok();
         if three.is_none() {

@@ -21,4 +21,4 @@ mod syntax;
 mod tests;
 mod variant;
 
-pub use load::{Loaded, load, text_of};
+pub use load::{Loaded, load, load_within, text_of};

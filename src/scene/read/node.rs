@@ -9,6 +9,7 @@ use serde::Deserializer as _;
 use serde::de::{IgnoredAny, Visitor};
 
 use super::split::parts;
+use crate::scene::problem::shortened;
 
 /// What may follow a word.
 const ENDS_WORD: [char; 12] = [':', ',', '(', ')', '[', ']', '{', '}', ' ', '\t', '\n', '\r'];
@@ -127,28 +128,44 @@ impl<'a> Node<'a> {
     }
 
     /// The fields of `(name: value, …)`, in order, repeated ones included.
-    pub(super) fn fields(&self) -> Option<Vec<Entry<'a>>> {
-        let entry = |part| {
-            let (name, rest) = word(part)?;
-            let value = self.part(trimmed(rest.strip_prefix(':')?), self.field_path(name));
-            Some(Entry { name, name_span: self.span_of(name), value })
+    pub(super) fn fields(&self) -> Option<impl Iterator<Item = Entry<'a>>> {
+        let is_sound = self.kind() == Kind::Fields && self.parts().all(|part| field(part).is_some());
+        let entry = |(name, value)| {
+            let value = self.part(trimmed(value), self.field_path(&shortened(name)));
+            Entry { name, name_span: self.span_of(name), value }
         };
-        (self.kind() == Kind::Fields).then(|| parts(skip_blank(self.text)).into_iter().map(entry).collect()).flatten()
+        is_sound.then(|| self.parts().filter_map(field).map(entry))
     }
 
     /// The elements of `[…]`.
-    pub(super) fn list(&self) -> Option<Vec<Self>> {
+    pub(super) fn list(&self) -> Option<impl Iterator<Item = Self>> {
         (self.kind() == Kind::List).then(|| self.elements())
     }
 
     /// The elements of `(…)`.
-    pub(super) fn group(&self) -> Option<Vec<Self>> {
+    pub(super) fn group(&self) -> Option<impl Iterator<Item = Self>> {
         (self.kind() == Kind::Group).then(|| self.elements())
     }
 
-    fn elements(&self) -> Vec<Self> {
+    /// The elements of `(…)` if there are so many.
+    pub(super) fn group_of<const N: usize>(&self) -> Option<[Self; N]> {
+        let elements: Vec<Self> = self.group()?.take(N + 1).collect();
+        elements.try_into().ok()
+    }
+
+    fn elements(&self) -> impl Iterator<Item = Self> {
         let element = |(k, part): (usize, &'a str)| self.part(trimmed(part), format!("{}[{k}]", self.path));
-        parts(skip_blank(self.text)).into_iter().enumerate().map(element).collect()
+        self.parts().enumerate().map(element)
+    }
+
+    /// What stands between the commas.
+    fn parts(&self) -> impl Iterator<Item = &'a str> {
+        parts(skip_blank(self.text))
+    }
+
+    /// How many elements a list or a group has.
+    pub(super) fn size(&self) -> usize {
+        self.parts().count()
     }
 
     /// The value as a Rust type that ron reads by itself.
@@ -193,6 +210,12 @@ pub(super) fn skip_blank(text: &str) -> &str {
         Some(b'/' | b'#' | 0x0b | 0x80..) => reader(text).map_or(text, |de| de.remainder()),
         _ => begins,
     }
+}
+
+/// The name and the value of `name: value`.
+fn field(part: &str) -> Option<(&str, &str)> {
+    let (name, rest) = word(part)?;
+    Some((name, rest.strip_prefix(':')?))
 }
 
 /// The word that a text begins with, and what follows.

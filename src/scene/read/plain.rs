@@ -4,6 +4,8 @@ use glam::DVec2;
 
 use super::node::{Kind, Node};
 use super::reader::{Read, Reader};
+use crate::scene::Limit;
+use crate::scene::problem::shortened;
 
 /// A number that may be infinite.
 #[derive(Clone, Copy)]
@@ -21,7 +23,7 @@ impl Read for MaybeInfinite {
             return None;
         }
         if value.is_infinite() && !node.text().contains("inf") {
-            let message = format!("`{}` is too large for a number", node.text());
+            let message = format!("`{}` is too large for a number", shortened(node.text()));
             r.refuse(node, message, "too large", "write a number below 1.7e308");
             return None;
         }
@@ -65,7 +67,7 @@ impl Read for u64 {
         let value = node.plain().or_else(|| whole(node.plain()?));
         if value.is_none() {
             let help = "write a whole number such as `8`, not negative and at most 2^53";
-            r.refuse(node, format!("`{}` is not a count", node.text()), "not a whole number", help);
+            r.refuse(node, format!("`{}` is not a count", shortened(node.text())), "not a whole number", help);
         }
         value
     }
@@ -80,17 +82,35 @@ pub(super) struct UpTo<const MOST: u64>(pub(super) u32);
 
 impl<const MOST: u64> Read for UpTo<MOST> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        let value = u32::try_from(u64::read(r, node)?).ok();
-        if value.is_none() {
-            let message = format!("`{}` is more than the {MOST} allowed", node.text());
-            r.refuse(node, message, "too many", format!("write at most {MOST}"));
-        }
-        value.map(Self)
+        small(r, node, MOST, "").map(Self)
     }
 
     fn stand_in() -> Self {
         Self(0)
     }
+}
+
+/// A count within the limit of this number, as far as reading must tell.
+pub(super) struct Within<const LIMIT: usize>(pub(super) u32);
+
+impl<const LIMIT: usize> Read for Within<LIMIT> {
+    fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        let limit = Limit::ALL[LIMIT];
+        small(r, node, r.limits.of(limit), &format!("; {}", limit.cure())).map(Self)
+    }
+
+    fn stand_in() -> Self {
+        Self(0)
+    }
+}
+
+fn small(r: &mut Reader, node: &Node<'_>, most: u64, cure: &str) -> Option<u32> {
+    let value = u32::try_from(u64::read(r, node)?).ok();
+    if value.is_none() {
+        let message = format!("`{}` is more than the {most} allowed", shortened(node.text()));
+        r.refuse(node, message, "too many", format!("write at most {most}{cure}"));
+    }
+    value
 }
 
 /// A float that is a whole number which it holds exactly.
@@ -142,9 +162,13 @@ impl Read for DVec2 {
 /// Points; the quick way first, one by one where one of them is at fault.
 impl Read for Vec<DVec2> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
+        if !r.has_room(node, "points", Limit::Points) {
+            return None;
+        }
         let quick = node.plain::<Vec<(f64, f64)>>().unwrap_or_default();
         let points: Self = quick.into_iter().map(DVec2::from).collect();
-        if points.is_empty() || !points.iter().all(|p| p.is_finite()) { r.each(node, "points") } else { Some(points) }
+        let is_sound = !points.is_empty() && points.iter().all(|p| p.is_finite());
+        if is_sound { Some(points) } else { r.elements(node, "points", |r, point| r.read(point)) }
     }
 
     fn stand_in() -> Self {
@@ -154,7 +178,8 @@ impl Read for Vec<DVec2> {
 
 impl Read for Vec<f64> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "numbers")
+        let has_room = r.has_room(node, "numbers", Limit::Lines);
+        has_room.then(|| r.elements(node, "numbers", |r, number| r.read(number))).flatten()
     }
 
     fn stand_in() -> Self {

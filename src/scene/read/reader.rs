@@ -8,7 +8,8 @@ use super::node::{Kind, Node};
 use super::variant::{Form, Variant};
 use crate::scene::names::{listed, suggestion};
 use crate::scene::places::parent;
-use crate::scene::{Places, Problem};
+use crate::scene::problem::{Found, shortened};
+use crate::scene::{Limit, Limits, Places, Problem};
 
 /// What can be read from one value of a file.
 pub(super) trait Read: Sized {
@@ -19,15 +20,30 @@ pub(super) trait Read: Sized {
     fn stand_in() -> Self;
 }
 
-/// What has been found out about a file while it is read.
-#[derive(Debug, Default)]
+/// What has been found out about a file while it is read. When there are more problems than are kept, nothing else is noted.
+#[derive(Debug)]
 pub(super) struct Reader {
-    pub(super) problems: Vec<Problem>,
+    pub(super) problems: Found,
     pub(super) places: Places,
     stand_ins: HashSet<String>,
+    pub(super) limits: Limits,
+    /// Points of all outlines so far.
+    points: u64,
 }
 
 impl Reader {
+    pub(super) fn new(limits: Limits) -> Self {
+        let (problems, places) = (Found::default(), Places::default());
+        Self { problems, places, stand_ins: HashSet::new(), limits, points: 0 }
+    }
+
+    /// Notes the place of a value.
+    pub(super) fn place(&mut self, path: &str, span: Range<usize>) {
+        if !self.problems.is_full() {
+            self.places.insert(path, span);
+        }
+    }
+
     /// A value, or its stand-in.
     pub(super) fn read<T: Read>(&mut self, node: &Node<'_>) -> T {
         T::read(self, node).unwrap_or_else(|| self.stand_in(&node.path))
@@ -35,7 +51,9 @@ impl Reader {
 
     /// The stand-in for the value at a path.
     pub(super) fn stand_in<T: Read>(&mut self, path: &str) -> T {
-        self.stand_ins.insert(path.to_owned());
+        if !self.problems.is_full() {
+            self.stand_ins.insert(path.to_owned());
+        }
         T::stand_in()
     }
 
@@ -70,7 +88,7 @@ impl Reader {
 
     pub(super) fn note_places(&mut self, nodes: &[Node<'_>]) {
         for node in nodes {
-            self.places.insert(&node.path, node.span());
+            self.place(&node.path, node.span());
         }
     }
 
@@ -82,26 +100,22 @@ impl Reader {
         valid: &[&str],
         example: &str,
     ) -> Option<Fields<'a>> {
-        let entries = match node.kind() {
-            Kind::Fields => node.fields(),
-            Kind::Group if node.group().is_some_and(|elements| elements.is_empty()) => Some(Vec::new()),
-            _ => None,
-        };
-        let Some(entries) = entries else {
+        let entries = node.fields();
+        if entries.is_none() && !(node.kind() == Kind::Group && node.size() == 0) {
             self.expected(node, &format!("the named fields of {what}"), format!("write them like `{example}`"));
             return None;
-        };
+        }
         let mut fields = Fields::new(node.clone(), what, example);
-        for entry in entries {
+        for entry in entries.into_iter().flatten() {
             let (path, span) = (&entry.value.path, entry.name_span.clone());
             if !valid.contains(&entry.name) {
-                let message = format!("{what} has no field `{}`", entry.name);
+                let message = format!("{what} has no field `{}`", shortened(entry.name));
                 self.note(path, span, message, "unknown field", suggestion(entry.name, valid));
             } else if fields.has(entry.name) {
                 let message = format!("the field `{}` is given twice", entry.name);
                 self.note(path, span, message, "second time", "keep one of the two");
             } else {
-                self.places.insert(path, entry.value.span());
+                self.place(path, entry.value.span());
                 fields.add(entry);
             }
         }
@@ -121,35 +135,75 @@ impl Reader {
         };
         let Some(form) = forms.iter().find(|form| form.0 == word) else {
             let kind = what.trim_start_matches("a ");
-            let message = format!("there is no {kind} `{word}`");
+            let message = format!("there is no {kind} `{}`", shortened(word));
             self.note(&node.path, node.word_span(), message, "unknown name", suggestion(word, &names));
             return None;
         };
         Some(Variant::new(*form, node.clone(), arguments))
     }
 
-    /// Every element of a list.
-    pub(super) fn each<T: Read>(&mut self, node: &Node<'_>, of: &str) -> Option<Vec<T>> {
-        let elements = (node.kind() == Kind::List).then(|| node.list()).flatten();
-        let Some(elements) = elements else {
+    /// Every element of a list, if there are no more than the limit allows.
+    pub(super) fn each<T: Read>(&mut self, node: &Node<'_>, of: &str, limit: Limit) -> Option<Vec<T>> {
+        let has_room = self.has_room(node, of, limit);
+        let read = |r: &mut Self, element: &Node<'_>| {
+            r.place(&element.path, element.span());
+            r.read(element)
+        };
+        has_room.then(|| self.elements(node, of, read)).flatten()
+    }
+
+    /// Every element of a list of which the places are not noted one by one.
+    pub(super) fn elements<T>(
+        &mut self,
+        node: &Node<'_>,
+        of: &str,
+        mut read: impl FnMut(&mut Self, &Node<'_>) -> T,
+    ) -> Option<Vec<T>> {
+        let Some(elements) = node.list() else {
             let help = format!("put {of} in brackets: `[…]`, also a single one");
             self.expected(node, &format!("a list of {of}"), help);
             return None;
         };
-        self.note_places(&elements);
-        Some(elements.iter().map(|element| self.read(element)).collect())
+        Some(elements.map(|element| read(self, &element)).collect())
+    }
+
+    /// Whether a list is no longer than allowed, before memory is taken for it; points count in all of the scene.
+    pub(super) fn has_room(&mut self, node: &Node<'_>, of: &str, limit: Limit) -> bool {
+        if node.kind() != Kind::List {
+            return true;
+        }
+        let (size, most) = (node.size() as u64, self.limits.of(limit));
+        let before = if limit == Limit::Points { self.points } else { 0 };
+        let total = before.saturating_add(size);
+        if total > most {
+            let problem = too_many(&node.path, of, total, before, limit, most);
+            self.problems.push(problem.at(node.span()));
+            return false;
+        }
+        if limit == Limit::Points {
+            self.points = total;
+        }
+        true
     }
 
     /// Two values in parentheses.
     pub(super) fn pair<T: Read>(&mut self, node: &Node<'_>, what: &str, help: &str) -> Option<[T; 2]> {
-        let elements = (node.kind() == Kind::Group).then(|| node.group()).flatten();
-        let Some(pair) = elements.and_then(|elements| <[Node<'_>; 2]>::try_from(elements).ok()) else {
+        let Some(pair) = node.group_of() else {
             self.expected(node, what, help);
             return None;
         };
         self.note_places(&pair);
         Some(pair.map(|node| self.read(&node)))
     }
+}
+
+/// A list that takes a resource over its limit.
+fn too_many(path: &str, of: &str, total: u64, before: u64, limit: Limit, most: u64) -> Problem {
+    let message = match before {
+        0 => format!("the list has {total} {of}; at most {most} are read"),
+        _ => format!("the scene has {total} points so far, all outlines together; at most {most} are read"),
+    };
+    Problem::error(path, message, format!("write fewer {of}; {}", limit.cure())).label("too many")
 }
 
 /// What may be written: examples, or the names alone where they are many.

@@ -2,7 +2,7 @@ use glam::DVec2;
 
 use super::node::Node;
 use super::reader::{Read, Reader};
-use crate::scene::{Body, DiagramSettings, Medium, Note, Scene, Source, TraceSettings};
+use crate::scene::{Body, DiagramSettings, Limit, Medium, Note, Scene, Source, TraceSettings};
 
 const FIELDS: [&str; 8] = ["title", "caption", "surroundings", "bodies", "sources", "trace", "diagram", "notes"];
 
@@ -28,7 +28,7 @@ impl Read for Scene {
 
 impl Read for Vec<Body> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "bodies")
+        r.each(node, "bodies", Limit::Bodies)
     }
 
     fn stand_in() -> Self {
@@ -38,7 +38,7 @@ impl Read for Vec<Body> {
 
 impl Read for Vec<Source> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "sources")
+        r.each(node, "sources", Limit::Sources)
     }
 
     fn stand_in() -> Self {
@@ -48,7 +48,7 @@ impl Read for Vec<Source> {
 
 impl Read for Vec<Note> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "notes")
+        r.each(node, "notes", Limit::Notes)
     }
 
     fn stand_in() -> Self {

@@ -2,7 +2,7 @@ use super::node::Node;
 use super::plain::UpTo;
 use super::reader::{Read, Reader};
 use super::variant::Form;
-use crate::scene::{DiagramSettings, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
+use crate::scene::{DiagramSettings, Limit, MAX_PIXELS, RayColor, SecondaryRays, Theme, TraceSettings, View};
 
 const TRACE: [&str; 4] = ["secondary_rays", "max_depth", "min_power", "max_segments"];
 const DIAGRAM: [&str; 20] = [
@@ -115,7 +115,7 @@ impl Read for [u32; 2] {
 
 impl Read for Vec<[String; 2]> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "pairs of addresses")
+        r.each(node, "pairs of addresses", Limit::Deviations)
     }
 
     fn stand_in() -> Self {

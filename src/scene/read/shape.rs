@@ -1,10 +1,10 @@
 use glam::DVec2;
 
 use super::node::Node;
-use super::plain::{MaybeInfinite, UpTo};
+use super::plain::{MaybeInfinite, Within};
 use super::reader::{Read, Reader};
 use super::variant::{Form, Variant};
-use crate::scene::{Element, MAX_SIDES, PathStep, Shape};
+use crate::scene::{Element, Limit, PathStep, Shape};
 
 const SHAPES: [Form; 13] = [
     ("Polygon", "Polygon([(0, 0), (40, 0), (0, 40)])"),
@@ -22,6 +22,8 @@ const SHAPES: [Form; 13] = [
     ("Stop", "Stop(opening: 10, height: 40)"),
 ];
 
+const SIDES: usize = Limit::Sides as usize;
+
 const STEPS: [Form; 2] = [("LineTo", "LineTo((40, 0))"), ("ArcTo", "ArcTo(through: (50, 20), to: (40, 40))")];
 
 impl Read for Shape {
@@ -35,7 +37,7 @@ impl Read for Shape {
             }
             "RegularPolygon" => {
                 let [sides, radius] = variant.values(r, ["sides", "radius"])?;
-                let UpTo::<{ MAX_SIDES as u64 }>(sides) = r.read(&sides);
+                let Within::<SIDES>(sides) = r.read(&sides);
                 Some(Self::RegularPolygon { sides, radius: r.read(&radius) })
             }
             "RightAnglePrism" => Some(Self::RightAnglePrism { leg: variant.value(r, "leg")? }),
@@ -88,7 +90,7 @@ fn lens(r: &mut Reader, variant: &Variant<'_>) -> Option<Shape> {
         radii: radii.map(|radius| radius.0),
         thickness: f.required(r, "thickness"),
         diameter: f.required(r, "diameter"),
-        facets: f.optional::<UpTo<{ MAX_SIDES as u64 }>>(r, "facets").map(|facets| facets.0),
+        facets: f.optional::<Within<SIDES>>(r, "facets").map(|facets| facets.0),
     })
 }
 
@@ -106,7 +108,7 @@ impl Read for [MaybeInfinite; 2] {
 
 impl Read for Vec<PathStep> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "steps")
+        r.each(node, "steps", Limit::Points)
     }
 
     fn stand_in() -> Self {
@@ -131,7 +133,7 @@ impl Read for PathStep {
 
 impl Read for Vec<Element> {
     fn read(r: &mut Reader, node: &Node<'_>) -> Option<Self> {
-        r.each(node, "surfaces")
+        r.each(node, "surfaces", Limit::Points)
     }
 
     fn stand_in() -> Self {

@@ -2,10 +2,10 @@ use glam::DVec2;
 
 use super::fields::Fields;
 use super::node::Node;
-use super::plain::UpTo;
+use super::plain::Within;
 use super::reader::{Read, Reader};
 use super::variant::Form;
-use crate::scene::{Direction, Light, MAX_LINES, MAX_RAYS, Polarization, Source, Spectrum};
+use crate::scene::{Direction, Light, Limit, Polarization, Source, Spectrum};
 
 const FIELDS: [&str; 6] = ["name", "light", "color", "spectrum", "power", "polarization"];
 
@@ -81,7 +81,7 @@ impl Read for Light {
 }
 
 fn rays(r: &mut Reader, f: &Fields<'_>) -> u32 {
-    f.required::<UpTo<MAX_RAYS>>(r, "rays").0
+    f.required::<Within<{ Limit::Rays as usize }>>(r, "rays").0
 }
 
 impl Read for Direction {
@@ -105,7 +105,8 @@ impl Read for Spectrum {
             "Line" => Self::Line(variant.value(r, "nm")?),
             "Lines" => Self::Lines(variant.value(r, "nm")?),
             _ => {
-                let UpTo::<{ MAX_LINES as u64 }>(samples) = variant.fields(r, &["samples"])?.required(r, "samples");
+                let Within::<{ Limit::Lines as usize }>(samples) =
+                    variant.fields(r, &["samples"])?.required(r, "samples");
                 Self::White { samples }
             }
         })

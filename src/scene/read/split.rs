@@ -4,26 +4,29 @@ use super::node::skip_blank;
 
 /// What stands between the commas of `(…)` or `[…]`, blanks and comments included; a comma before the closing bracket
 /// begins nothing. `text` is sound and begins with the bracket.
-pub(super) fn parts(text: &str) -> Vec<&str> {
-    let (mut parts, mut depth, mut start, mut at) = (Vec::new(), 0, 1, 1);
+pub(super) fn parts(text: &str) -> impl Iterator<Item = &str> {
+    let mut start = 1;
+    std::iter::from_fn(move || {
+        let end = end_of_part(text, start);
+        let part = text.get(start..end).filter(|part| text[end..].starts_with(',') || !skip_blank(part).is_empty())?;
+        start = end + 1;
+        Some(part)
+    })
+}
+
+/// The place of the comma or of the closing bracket behind what begins at a place.
+fn end_of_part(text: &str, start: usize) -> usize {
+    let (mut depth, mut at) = (0, start);
     while let Some(byte) = text.as_bytes().get(at) {
         match byte {
             b'(' | b'[' | b'{' => depth += 1,
-            b')' | b']' | b'}' if depth == 0 => break,
+            b')' | b']' | b'}' | b',' if depth == 0 => return at,
             b')' | b']' | b'}' => depth -= 1,
-            b',' if depth == 0 => {
-                parts.push(&text[start..at]);
-                start = at + 1;
-            }
             _ => {}
         }
         at += token(text, at);
     }
-    let last = text.get(start..at).unwrap_or_default();
-    if !skip_blank(last).is_empty() {
-        parts.push(last);
-    }
-    parts
+    at.min(text.len())
 }
 
 /// Bytes of the comment or of the text in quotes that begins at a place; else of one that is no letter or digit, or of a
@@ -68,9 +71,8 @@ fn raw_quoted(rest: &[u8]) -> usize {
         return 0;
     }
     let inside = &rest[hashes + 1..];
-    let ends = |at: &usize| {
-        inside[*at] == b'"' && inside[at + 1..].iter().take(hashes).filter(|b| **b == b'#').count() == hashes
-    };
+    let follow = |at: usize| inside[at + 1..].iter().take(hashes).take_while(|byte| **byte == b'#').count();
+    let ends = |at: &usize| inside[*at] == b'"' && follow(*at) == hashes;
     (0..inside.len()).find(ends).map_or(rest.len(), |at| at + 2 * hashes + 2)
 }
 
@@ -83,8 +85,9 @@ mod tests {
         let text = r##"(a: (1, 2), b: "x, \", (", /* , ( */ r#"y", ("#, 'z', ',', // , (
             [3, 4], é,)"##;
         let values = ["a: (1, 2)", "b: \"x, \\\", (\"", "r#\"y\", (\"#", "'z'", "','", "[3, 4]", "é"];
-        assert_eq!(parts(text).into_iter().map(|part| skip_blank(part).trim_end()).collect::<Vec<_>>(), values);
-        assert_eq!(parts("[]"), [""; 0]);
-        assert_eq!(parts("( /* none */ )"), [""; 0]);
+        assert_eq!(parts(text).map(|part| skip_blank(part).trim_end()).collect::<Vec<_>>(), values);
+        assert_eq!(parts("[]").count(), 0);
+        assert_eq!(parts("( /* none */ )").count(), 0);
+        assert_eq!(parts("(,)").collect::<Vec<_>>(), [""]);
     }
 }

@@ -11,7 +11,7 @@ const SEED: &str = r##"(title: "é \" /* ", caption: "", surroundings: Sellmeier
     (shape: LensGroup(diameter: 20, surfaces: [(radius: 60, thickness: 6, medium: Index(1.5)), (radius: -inf)])),
     (shape: Lens(radii: (inf, -50), thickness: 6, diameter: 30, facets: 3), medium: Cauchy([1.5, 0.004]), rotate: 15)],
     sources: [(light: Fan(from: (-30, 3), direction: Towards((0, 1)), spread: 30, rays: 8), spectrum: White(samples: 24))],
-    trace: (secondary_rays: Fixed(kr: 0.2, kt: 0.7), max_segments: 1e9), diagram: (view: Box((0, 0), (4, 3)), theme: Dark),
+    trace: (secondary_rays: Fixed(kr: 0.2, kt: 0.7), max_segments: 1e6), diagram: (view: Box((0, 0), (4, 3)), theme: Dark),
     notes: [(at: (10, 40), text: r#"eye"#)])"##;
 
 const BITS: [&str; 40] = [

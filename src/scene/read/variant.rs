@@ -29,9 +29,8 @@ impl<'a> Variant<'a> {
     /// The unnamed values, under the names that they have in paths.
     pub(super) fn values<const N: usize>(&self, r: &mut Reader, names: [&str; N]) -> Option<[Node<'a>; N]> {
         let arguments = self.arguments.as_ref();
-        let values = arguments.filter(|node| node.kind() == Kind::Group).and_then(Node::group);
-        let found = values.as_ref().map(Vec::len);
-        let Some(mut values) = values.and_then(|values| <[Node<'a>; N]>::try_from(values).ok()) else {
+        let Some(mut values) = arguments.and_then(Node::group_of) else {
+            let found = arguments.filter(|node| node.kind() == Kind::Group).map(Node::size);
             self.refuse(r, &self.wrong_values(found, N), "not in this form");
             return None;
         };
@@ -63,7 +62,7 @@ impl<'a> Variant<'a> {
             self.refuse(r, &format!("`{}` needs its fields in parentheses", self.name), "fields are missing");
             return None;
         };
-        if arguments.kind() == Kind::Group && arguments.group().is_some_and(|values| !values.is_empty()) {
+        if arguments.kind() == Kind::Group && arguments.size() > 0 {
             self.refuse(r, &format!("the values of `{}` need their names", self.name), "names are missing");
             return None;
         }
