@@ -15,13 +15,13 @@ mod files;
 #[cfg(unix)]
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/many.rs"]
 mod many;
 #[cfg(unix)]
 #[path = "cli/paths.rs"]
 mod paths;
-#[path = "cli/limits.rs"]
-mod limits;
 #[path = "cli/pictures.rs"]
 mod pictures;
 #[path = "cli/place.rs"]

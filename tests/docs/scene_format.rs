@@ -103,6 +103,7 @@ fn the_reference_names_every_limit() {
         let row = format!("| `{}` | {} |", limit.name(), grouped(limit.usual()));
         assert!(limits.contains(&row), "{row}");
     }
+    assert!(limits.contains(&format!("| {} ", grouped(snellius::compile::MAX_COMPARISONS))));
     for limit in [scene::MAX_LENGTH, scene::MIN_LENGTH] {
         assert!(limits.contains(&format!("{limit:e}")), "{limit:e}");
     }
