@@ -74,6 +74,7 @@
 #![cfg_attr(test, allow(clippy::float_cmp, reason = "tests compare exact bits on purpose"))]
 
 pub mod analysis;
+mod characters;
 pub mod compile;
 pub mod diagram;
 pub mod drawing;

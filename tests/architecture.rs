@@ -6,9 +6,24 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate; each may use those before it.
-const MODULES: [&str; 16] = [
-    "numerics", "geometry", "light", "media", "laws", "scene", "system", "compile", "trace", "analysis", "report",
-    "explain", "drawing", "diagram", "render", "cli",
+const MODULES: [&str; 17] = [
+    "characters",
+    "numerics",
+    "geometry",
+    "light",
+    "media",
+    "laws",
+    "scene",
+    "system",
+    "compile",
+    "trace",
+    "analysis",
+    "report",
+    "explain",
+    "drawing",
+    "diagram",
+    "render",
+    "cli",
 ];
 
 #[test]

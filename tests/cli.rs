@@ -2,6 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+#[cfg(unix)]
+#[path = "cli/access.rs"]
+mod access;
+#[cfg(unix)]
+#[path = "cli/crash.rs"]
+mod crash;
 #[path = "cli/explain.rs"]
 mod explain;
 #[path = "cli/files.rs"]
@@ -9,6 +15,11 @@ mod files;
 #[cfg(unix)]
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+#[path = "cli/many.rs"]
+mod many;
+#[cfg(unix)]
+#[path = "cli/paths.rs"]
+mod paths;
 #[path = "cli/pictures.rs"]
 mod pictures;
 #[path = "cli/place.rs"]
@@ -21,5 +32,8 @@ mod program;
 mod render;
 #[path = "cli/stats.rs"]
 mod stats;
+#[cfg(unix)]
+#[path = "cli/streams.rs"]
+mod streams;
 #[path = "cli/trace.rs"]
 mod trace;

@@ -2,8 +2,6 @@
 //! figure as SVG, and for some the PNG; docs/gallery.md shows them all. `INSTA_UPDATE=always cargo test --test scenes` writes
 //! everything anew.
 
-#[path = "scenes/gallery.rs"]
-mod gallery;
 mod support;
 
 use std::collections::BTreeSet;
@@ -85,6 +83,11 @@ fn every_scene_has_a_title_and_a_caption() {
 #[test]
 fn there_are_at_least_thirty_scenes() {
     assert!(support::scene_names().len() >= 30);
+}
+
+#[test]
+fn the_gallery_shows_every_scene() {
+    is_recorded(&support::root().join("docs/gallery.md"), &support::gallery::page());
 }
 
 fn svg(run: &Run) -> String {

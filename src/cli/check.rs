@@ -1,8 +1,8 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::console::{Mistake, Status};
+use super::console::{Mistake, Status, summarize};
 use super::output::Target;
 use super::scene::{self, refuse_two_stdins};
 use super::stats::Stopwatch;
@@ -18,7 +18,7 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn run(&self) -> Result<Status, Mistake> {
         refuse_two_stdins(&self.scenes)?;
-        Ok(self.scenes.iter().fold(Status::Done, |status, path| {
+        let fails = |path: &&Path| {
             let checked = scene::prepare(path, &mut Stopwatch::start()).and_then(|ready| {
                 let verdict = match ready.warnings {
                     0 => "ok".into(),
@@ -27,7 +27,9 @@ impl Check {
                 };
                 Target::Stdout.write(|out| writeln!(out, "{}: {verdict}", scene::name(path)))
             });
-            status.and(Status::of(checked))
-        }))
+            Status::of(checked) == Status::Fault
+        };
+        let failed: Vec<_> = self.scenes.iter().map(PathBuf::as_path).filter(fails).collect();
+        Ok(summarize(&failed, self.scenes.len(), ""))
     }
 }

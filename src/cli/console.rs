@@ -1,8 +1,11 @@
 use std::fmt::Display;
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use super::progress;
+use super::scene::name;
+use crate::characters::{coded, steers};
 
 /// How a command went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,11 +35,6 @@ impl Status {
             }
         }
     }
-
-    /// Done only where both are.
-    pub(super) fn and(self, other: Self) -> Self {
-        if self == Self::Done { other } else { self }
-    }
 }
 
 impl From<Status> for ExitCode {
@@ -48,10 +46,31 @@ impl From<Status> for ExitCode {
     }
 }
 
-/// Puts words on standard error; a closed stream is nobody's fault.
+/// Puts words on standard error; a closed stream is nobody's fault. Nothing in them steers the terminal, wherever it comes from.
 pub(super) fn tell(words: impl Display) {
     drop(progress::clear());
-    let _ = writeln!(io::stderr().lock(), "{words}");
+    let words = words.to_string();
+    let lines: Vec<_> =
+        words.split('\n').map(|line| if line.contains(steers) { coded(line) } else { line.into() }).collect();
+    let _ = writeln!(io::stderr().lock(), "{}", lines.join("\n"));
+}
+
+/// A path in messages: on one line, whatever its characters.
+pub(super) fn legible(path: &Path) -> String {
+    coded(&path.display().to_string())
+}
+
+/// The status of a job of several scenes. Those that failed are named at its end, since what was said of them may have scrolled
+/// away; `outcome` tells what came of it.
+pub(super) fn summarize(failed: &[&Path], scenes: usize, outcome: &str) -> Status {
+    if failed.is_empty() {
+        return Status::Done;
+    }
+    if scenes > 1 {
+        let names: Vec<_> = failed.iter().map(|path| name(path)).collect();
+        tell(format!("{} of {scenes} scenes failed{outcome}: {}", failed.len(), names.join(", ")));
+    }
+    Status::Fault
 }
 
 /// Why a file cannot be read or written, without the system's error number.
@@ -62,6 +81,7 @@ pub(super) fn reason(error: &io::Error) -> String {
         io::ErrorKind::IsADirectory => "this is a folder, not a file".into(),
         io::ErrorKind::NotADirectory => "part of the path is a file, not a folder".into(),
         io::ErrorKind::StorageFull => "no space is left".into(),
+        io::ErrorKind::InvalidFilename => "the name is too long, or no name for a file".into(),
         io::ErrorKind::AlreadyExists => "this is a file, not a folder".into(),
         _ => error.to_string().split(" (os error").next().unwrap_or_default().into(),
     }

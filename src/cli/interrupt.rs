@@ -18,8 +18,33 @@ static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 /// and there is neither.
 pub(super) fn install() {
     static INSTALLED: Once = Once::new();
-    // Who has a signal ignored, as `nohup` does, keeps that: then there is no handler.
-    INSTALLED.call_once(|| drop(ctrlc::try_set_handler(end)));
+    INSTALLED.call_once(|| {
+        let _installed = ctrlc::try_set_handler(end);
+        // Who has a signal ignored, as `nohup` does, keeps that: then there is no handler, also for the other signals.
+        #[cfg(unix)]
+        if _installed.is_err() {
+            handle_others();
+        }
+    });
+}
+
+/// Handles those of the signals that are not ignored.
+#[cfg(unix)]
+fn handle_others() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    let handled =
+        [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal).unwrap_or(*signal != SIGTERM));
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new(handled) {
+        let _ = std::thread::Builder::new().spawn(move || signals.forever().next().map(|_| end()));
+    }
+}
+
+/// Whether a signal is ignored, where the system tells: see proc(5).
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> Option<bool> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;
+    Some(u64::from_str_radix(mask.trim(), 16).ok()? >> (signal - 1) & 1 == 1)
 }
 
 fn end() {

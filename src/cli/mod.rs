@@ -21,7 +21,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use console::{Mistake, Status};
+use console::{Mistake, Status, tell};
 use output::Target;
 
 /// Ray diagrams from the vector law of refraction.
@@ -91,10 +91,10 @@ fn mistake(subcommand: &str, message: String) -> clap::Error {
 
 /// Shows help, version or a mistake where each belongs.
 fn show(error: &clap::Error) -> ExitCode {
-    let written = error.print();
+    let words = error.render().to_string();
     if error.use_stderr() {
+        tell(words.trim_end());
         return ExitCode::from(2);
     }
-    let shown = Target::Stdout.write(|out| written.and_then(|()| out.flush()));
-    Status::of(shown).into()
+    Status::of(Target::Stdout.write(|out| out.write_all(words.as_bytes()))).into()
 }

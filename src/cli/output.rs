@@ -2,7 +2,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use super::console::{Fault, Mistake, reason};
+use super::console::{Fault, Mistake, legible, reason};
 use super::{interrupt, progress};
 
 /// Where a result goes.
@@ -33,7 +33,7 @@ impl Target {
             (Some(form), _) => Ok(form),
             (None, Self::Stdout) => Ok(usual),
             (None, Self::File(path)) => of_extension(path).ok_or_else(|| {
-                let path = path.display();
+                let path = legible(path);
                 Mistake(format!("the extension of '{path}' is none of {known}: name the form with --format"))
             }),
         }
@@ -44,7 +44,7 @@ impl Target {
         let Self::File(path) = self else { return Ok(()) };
         let Ok(there) = path.canonicalize() else { return Ok(()) };
         match scenes.iter().find(|scene| scene.canonicalize().is_ok_and(|scene| scene == there && scene.is_file())) {
-            Some(scene) => Err(Mistake(format!("the result would overwrite the scene '{}'", scene.display()))),
+            Some(scene) => Err(Mistake(format!("the result would overwrite the scene '{}'", legible(scene)))),
             None => Ok(()),
         }
     }
@@ -58,7 +58,7 @@ impl Target {
                 }
                 ("<stdout>".into(), buffered(io::stdout().lock(), produce))
             }
-            Self::File(path) => (path.display().to_string(), write_file(path, produce)),
+            Self::File(path) => (legible(path), write_file(path, produce)),
         };
         match written {
             Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
@@ -68,6 +68,17 @@ impl Target {
             Err(error) => Err(Fault(format!("{name}: cannot be written: {}", reason(&error)))),
             Ok(()) => Ok(()),
         }
+    }
+
+    /// Prints the path of a file that was written, byte for byte for other programs, on a terminal so that it steers nothing.
+    pub(super) fn announce(&self) -> Result<(), Fault> {
+        let Self::File(path) = self else { return Ok(()) };
+        let name = if io::stdout().is_terminal() {
+            legible(path).into_bytes()
+        } else {
+            path.as_os_str().as_encoded_bytes().into()
+        };
+        Self::Stdout.write(|out| out.write_all(&name).and_then(|()| out.write_all(b"\n")))
     }
 }
 
@@ -82,8 +93,7 @@ fn write_file(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()
 
 /// Writes beside the file and moves the result there once it is complete. A file that is there keeps its permissions.
 fn write_whole(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    // What a link points to is replaced, not the link.
-    let path = path.canonicalize().unwrap_or_else(|_| path.into());
+    let path = followed(path)?;
     let permissions = permissions(&path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
@@ -99,7 +109,23 @@ fn write_whole(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<(
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
     }
-    interrupt::complete(file, &path)
+    match file.as_file().sync_all() {
+        // Some file systems cannot tell whether the bytes have reached the disk; others tell only now that they have not.
+        Err(error) if !matches!(error.kind(), io::ErrorKind::Unsupported | io::ErrorKind::InvalidInput) => Err(error),
+        _ => interrupt::complete(file, &path),
+    }
+}
+
+/// What a link leads to is replaced or made, not the link.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    match path.canonicalize() {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => match fs::read_link(path) {
+            // A link to what is not there; one round leads to no end, which `canonicalize` tells.
+            Ok(target) => followed(&path.with_file_name("").join(target)),
+            Err(_) => Ok(path.into()),
+        },
+        found => found,
+    }
 }
 
 /// The permissions of a file that may be replaced; `None` where there is none yet. Only its folder need be writable to

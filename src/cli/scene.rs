@@ -2,7 +2,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use super::console::{Fault, Mistake, reason, tell};
+use super::console::{Fault, Mistake, legible, reason, tell};
 use super::stats::Stopwatch;
 use crate::compile::{Compiled, compile_checked};
 use crate::scene::{self, Loaded, MAX_TEXT_BYTES, Places, Problem, Scene};
@@ -41,7 +41,7 @@ pub(super) fn is_stdin(path: &Path) -> bool {
 
 /// A path's name in messages.
 pub(super) fn name(path: &Path) -> String {
-    if is_stdin(path) { "<stdin>".into() } else { path.display().to_string() }
+    if is_stdin(path) { "<stdin>".into() } else { legible(path) }
 }
 
 /// Refuses a list of scenes that names standard input twice: it can be read only once.

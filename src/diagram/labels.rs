@@ -30,8 +30,8 @@ pub(super) fn labels(figure: &Figure<'_>, shapes: &[Vec<Shape>], room: &mut Room
         homes.own = k;
         let with_index = || {
             let [words, index] = words_with_index(figure, k)?;
-            let one_line = text(figure, k, &[words.as_str(), &index].join(if words.is_empty() { "" } else { ", " }));
             let is_named = !words.is_empty();
+            let one_line = text(figure, k, &words).then(&format!("{}{index}", if is_named { ", " } else { "" }));
             let two_lines = [words, index].map(|words| text(figure, k, &words));
             let inside = |lines: &[Text]| place_inside(lines, k, shapes, room);
             inside(std::slice::from_ref(&one_line)).or_else(|| inside(&two_lines)).or_else(|| {

@@ -4,12 +4,14 @@
 //! sees neither NaN nor −0 and the same figure gives the same bytes on every machine. The renderers hold other numbers to
 //! their range: a width, a size or an opacity that is NaN or below 0 counts as 0.
 
+mod arabic;
 mod color;
 mod font;
 mod item;
 mod items;
 mod lines;
 mod number;
+mod order;
 mod panels;
 mod path;
 mod steps;

@@ -1,5 +1,9 @@
+use std::borrow::Cow;
+
 use glam::DVec2;
 
+use super::order::{in_place, isolated};
+use crate::characters::steers;
 use crate::drawing::{Color, Font, Rect, extent, pixel};
 
 /// Size of a subscript as a share of the text's.
@@ -30,7 +34,8 @@ pub struct Text {
 /// A stretch of text in one script.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Span {
-    /// Words without control characters; runs of white space are one space, no-break spaces stay.
+    /// Words without control characters and overrides of the direction of writing; runs of white space are one space, no-break
+    /// spaces stay.
     pub text: String,
     /// Where it stands.
     pub script: Script,
@@ -68,6 +73,21 @@ pub struct Glyph {
     pub at: DVec2,
     /// Font size, pixels.
     pub size: f64,
+}
+
+impl Span {
+    /// The words for a viewer that orders letters itself, as of SVG: right-to-left writing stands in a Unicode isolate.
+    #[must_use]
+    pub fn isolated(&self) -> Cow<'_, str> {
+        isolated(&self.text)
+    }
+
+    /// The characters that are seen, from left to right, for what draws one after the other: right-to-left writing in its order,
+    /// Arabic letters in their joined forms, invisible characters left out.
+    #[must_use]
+    pub fn in_place(&self) -> Cow<'_, str> {
+        in_place(&self.text)
+    }
 }
 
 impl Text {
@@ -114,7 +134,7 @@ impl Text {
     /// Width in pixels.
     #[must_use]
     pub fn width(&self) -> f64 {
-        self.spans.iter().map(|span| self.font.width(&span.text) * self.span_size(span)).sum()
+        self.spans.iter().map(|span| self.font.width(&span.in_place()) * self.span_size(span)).sum()
     }
 
     /// The rectangle that the line takes, from above its capitals to below its descenders.
@@ -132,7 +152,7 @@ impl Text {
         let mut glyphs = Vec::new();
         for span in &self.spans {
             let size = self.span_size(span);
-            for character in span.text.chars() {
+            for character in span.in_place().chars() {
                 glyphs.push(Glyph { character, at: DVec2::new(x, pixel(self.at.y) + self.drop(span)), size });
                 x += self.font.advance(character) * size;
             }
@@ -174,10 +194,10 @@ pub fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(breaks).filter(|word| !word.is_empty())
 }
 
-/// Text on one line: runs of white space become one space, control characters go.
+/// Text on one line: runs of white space become one space; what steers other words goes, and what no file of text may hold.
 fn one_line(text: &str) -> String {
     let words: Vec<String> = words(text)
-        .map(|word| word.chars().filter(|c| !c.is_control()).collect::<String>())
+        .map(|word| word.chars().filter(|c| !steers(*c) && !matches!(c, '\u{fffe}' | '\u{ffff}')).collect::<String>())
         .filter(|word| !word.is_empty())
         .collect();
     words.join(" ")
@@ -193,6 +213,8 @@ mod tests {
         assert_eq!(text.spans[0].text, "ab c");
         let text = Text::new("5\u{a0}mm \n long", DVec2::ZERO, 10.0, Color::hex(0));
         assert_eq!(text.spans[0].text, "5\u{a0}mm long");
+        let text = Text::new("a\u{202e}b \u{2067}c\u{ffff}", DVec2::ZERO, 10.0, Color::hex(0));
+        assert_eq!(text.spans[0].text, "ab c", "nothing turns other words round");
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use super::lines::{Letters, Line, direction_at_source, start};
 use super::math::{Letter, Notation, Reading, Value};
 use super::step::{Explanation, Step};
-use crate::report::{one_line, significant};
+use crate::characters::one_line;
+use crate::report::significant;
 use crate::scene::SecondaryRays;
 use crate::system::Action;
 use crate::trace::{Ending, Segment, Via};

@@ -140,13 +140,33 @@ fn said(
 
 /// Words in which Markdown finds no markup.
 fn markdown_words(words: &str) -> String {
-    let is_markup = |c: char| r"\`*_{}[]<>#|$~".contains(c);
-    words.chars().flat_map(|c| is_markup(c).then_some('\\').into_iter().chain([c])).collect()
+    let mut before = ' ';
+    let mut escaped = String::with_capacity(words.len());
+    for c in words.chars() {
+        // Some make links of `https://…`, `www.…` and addresses without being asked.
+        let is_link = matches!((before, c), (':', '/') | ('w' | 'W', '.'));
+        if is_link || r"\`*_{}[]<>#|$~&@".contains(c) {
+            escaped.push('\\');
+        }
+        escaped.push(c);
+        before = c;
+    }
+    escaped
 }
 
 /// Words in which LaTeX finds no command, in characters that its usual fonts have.
 fn latex_words(words: &str) -> String {
-    words.chars().map(latex_character).collect()
+    let mut written = String::new();
+    let mut before = ' ';
+    for c in words.chars() {
+        // Two of these would become one other sign.
+        if c == before && "-',".contains(c) {
+            written.push_str("{}");
+        }
+        written.push_str(&latex_character(c));
+        before = c;
+    }
+    written
 }
 
 fn latex_character(c: char) -> String {
@@ -155,6 +175,10 @@ fn latex_character(c: char) -> String {
         '~' => r"\textasciitilde{}".into(),
         '^' => r"\textasciicircum{}".into(),
         '{' | '}' | '#' | '$' | '%' | '&' | '_' => format!(r"\{c}"),
+        '<' => r"\textless{}".into(),
+        '>' => r"\textgreater{}".into(),
+        '"' => r"\textquotedbl{}".into(),
+        '`' => r"\textasciigrave{}".into(),
         '°' => r"\textdegree{}".into(),
         _ => match MATH.iter().find(|(known, _)| *known == c) {
             Some((_, command)) => format!("${command}$"),

@@ -221,11 +221,11 @@ fn write_spans(out: &mut String, text: &Text) {
     for span in &text.spans {
         let step = pixel(text.drop(span) - down);
         if step == 0.0 && down == 0.0 {
-            out.push_str(&escape(&span.text));
+            out.push_str(&escape(&span.isolated()));
             continue;
         }
         let size = pixel(text.span_size(span));
-        push(out, format_args!("<tspan dy=\"{step}\" font-size=\"{size}\">{}</tspan>", escape(&span.text)));
+        push(out, format_args!("<tspan dy=\"{step}\" font-size=\"{size}\">{}</tspan>", escape(&span.isolated())));
         down += step;
     }
 }

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::course::Course;
 use super::number::Number;
 use super::{applied, body_name, in_memory};
+use crate::characters::one_line;
 use crate::system::OpticalSystem;
 use crate::trace::{RayTree, Segment, TracedRay};
 
@@ -109,7 +110,7 @@ impl Row {
             direction_x: Number(segment.direction.x),
             direction_y: Number(segment.direction.y),
             course: Course::new(segment),
-            body: hit.map(|hit| body_name(system, hit.body)),
+            body: hit.map(|hit| cell(&body_name(system, hit.body))),
             n_i: hit.map(|hit| Number(hit.n_i)),
             n_t: hit.and_then(|hit| hit.n_t).map(Number),
             theta_i_deg: hit.map(|hit| Number(hit.theta_i_degrees())),
@@ -118,6 +119,21 @@ impl Row {
             transmittance: hit.map(|hit| Number(applied(hit.transmittance, segment.power))),
         }
     }
+}
+
+/// Where some spreadsheet may see a cell begin: here, and behind a semicolon, which separates cells where the comma is decimal.
+const SEPARATOR: char = ';';
+/// What makes a spreadsheet take a cell for a formula, each also in full width; what could hide that; and the guard itself.
+const GUARDED: [char; 10] = ['=', '+', '-', '@', '＝', '＋', '－', '＠', '"', GUARD];
+const GUARD: char = '\'';
+
+/// A name as a cell: on one line, and no formula anywhere. An apostrophe stands where one could begin, and is to be dropped there.
+fn cell(name: &str) -> String {
+    let guarded = |part: &str| {
+        let is_guarded = part.trim_start().starts_with(GUARDED);
+        format!("{}{part}", if is_guarded { "'" } else { "" })
+    };
+    one_line(name).split(SEPARATOR).map(guarded).collect::<Vec<_>>().join(";")
 }
 
 #[cfg(test)]

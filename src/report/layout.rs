@@ -4,6 +4,8 @@ use std::io;
 
 use serde_json::ser::Formatter;
 
+use crate::characters::steers;
+
 /// Breaks lines after the outermost fields, and between the elements of the lists of screens, rays, hits and segments.
 #[derive(Debug, Default)]
 pub(super) struct OneLineEach {
@@ -53,6 +55,17 @@ impl OneLineEach {
 }
 
 impl Formatter for OneLineEach {
+    /// Letters as they are; characters that a terminal would obey by their codes, which read back the same.
+    fn write_string_fragment<W: ?Sized + io::Write>(&mut self, out: &mut W, fragment: &str) -> io::Result<()> {
+        let mut rest = fragment;
+        while let Some((at, c)) = rest.char_indices().find(|(_, c)| steers(*c)) {
+            // None lies above U+FFFF.
+            write!(out, "{}\\u{:04x}", &rest[..at], u32::from(c))?;
+            rest = &rest[at + c.len_utf8()..];
+        }
+        out.write_all(rest.as_bytes())
+    }
+
     fn begin_array<W: ?Sized + io::Write>(&mut self, out: &mut W) -> io::Result<()> {
         self.open(out, b"[")
     }

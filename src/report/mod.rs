@@ -15,7 +15,7 @@ mod text;
 pub use csv::{csv, write_csv};
 pub use json::{SCHEMA, json, summary_json, write_json, write_summary_json};
 pub(crate) use number::{fixed, significant};
-pub(crate) use text::{length_decimals, one_line};
+pub(crate) use text::length_decimals;
 pub use text::{text, write_text};
 
 use std::io;

@@ -2,6 +2,8 @@
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, reason = "each test uses a part, and a test may fail")]
 
 pub mod figures;
+pub mod gallery;
+pub mod hostile;
 pub mod random;
 pub mod recorded;
 pub mod tables;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::console::{Fault, Mistake, Status, reason};
+use super::console::{Fault, Mistake, Status, legible, reason, summarize};
 use super::output::Target;
 use super::progress;
 use super::scene::{self, Ready, is_stdin, refuse_two_stdins};
@@ -90,7 +90,9 @@ impl Render {
         if let Err(fault) = self.make_folder() {
             return Ok(Status::of(Err(fault)));
         }
-        Ok(jobs.iter().fold(Status::Done, |status, job| status.and(Status::of(self.draw(job)))))
+        let fails = |job: &&Job| Status::of(self.draw(job)) == Status::Fault;
+        let failed: Vec<_> = jobs.iter().filter(fails).map(|job| job.scene).collect();
+        Ok(summarize(&failed, jobs.len(), ""))
     }
 
     fn jobs(&self) -> Result<Vec<Job<'_>>, Mistake> {
@@ -130,7 +132,7 @@ impl Render {
             _ => return Err(Mistake("several formats cannot go to one file: use --out-dir instead of -o".into())),
         };
         let unknown = || {
-            let output = output.display();
+            let output = legible(output);
             Mistake(format!("the extension of '{output}' is none of svg, png and pdf: name the form with --format"))
         };
         Ok(Picture { target, format: format.ok_or_else(unknown)? })
@@ -147,7 +149,7 @@ impl Render {
     fn make_folder(&self) -> Result<(), Fault> {
         let Some(folder) = &self.out_dir else { return Ok(()) };
         fs::create_dir_all(folder)
-            .map_err(|error| Fault(format!("{}: cannot be made: {}", folder.display(), reason(&error))))
+            .map_err(|error| Fault(format!("{}: cannot be made: {}", legible(folder), reason(&error))))
     }
 
     fn draw(&self, job: &Job) -> Result<(), Fault> {

@@ -2,7 +2,7 @@ use std::path::Path;
 
 use super::picture::{Picture, warn_of_missing_glyphs};
 use super::{Render, Traced};
-use crate::cli::console::{Fault, Mistake, Status};
+use crate::cli::console::{Fault, Mistake, Status, summarize};
 use crate::cli::scene;
 use crate::cli::stats::Stopwatch;
 use crate::diagram::{self, Margins};
@@ -13,19 +13,23 @@ use crate::scene::{MAX_PIXELS, MIN_PIXELS};
 const GAP: u32 = 16;
 
 impl Render {
-    /// Draws all scenes into one picture. Every scene is looked at, so that all that is wrong is shown at once.
+    /// Draws all scenes into one picture, or nothing: a comparison that lacks a scene looks like another. Every scene is looked
+    /// at, so that all that is wrong is shown at once.
     pub(super) fn draw_panels(&self, pictures: &[Picture]) -> Result<Status, Mistake> {
-        let mut status = Status::Done;
+        let mut failed: Vec<&Path> = Vec::new();
         let mut panels: Vec<(&Path, Traced, Stopwatch)> = Vec::new();
         for scene in &self.scenes {
             let mut watch = Stopwatch::start();
             match Traced::of(scene, &self.look, &mut watch) {
                 Ok(traced) => panels.push((scene, traced, watch)),
-                Err(fault) => status = status.and(Status::of(Err(fault))),
+                Err(fault) => {
+                    Status::of(Err(fault));
+                    failed.push(scene);
+                }
             }
         }
-        if status == Status::Fault {
-            return Ok(status);
+        if !failed.is_empty() {
+            return Ok(summarize(&failed, self.scenes.len(), ", so nothing is drawn"));
         }
         let own: Vec<[u32; 2]> = panels.iter().map(|(_, traced, _)| traced.ready.scene.diagram.size).collect();
         let sizes = sizes(&own, self.look.size)?;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::console::{Fault, Mistake, tell};
+use crate::cli::console::{Fault, Mistake, legible, tell};
 use crate::cli::output::Target;
 use crate::cli::stats::Stopwatch;
 use crate::drawing::Drawing;
@@ -135,10 +135,7 @@ impl Picture {
         watch.begin(self.format.writing());
         let bytes = look.bytes(drawing, self.format, scene)?;
         self.target.write(|out| out.write_all(&bytes))?;
-        if let Target::File(path) = &self.target {
-            Target::Stdout.write(|out| writeln!(out, "{}", path.display()))?;
-        }
-        Ok(())
+        self.target.announce()
     }
 }
 
@@ -182,7 +179,7 @@ pub(super) fn refuse_collisions<'a>(
         target.refuse_to_overwrite(scenes)?;
         match target {
             Target::File(path) if !taken.insert(path) => {
-                return Err(Mistake(format!("two scenes would both be drawn to '{}'", path.display())));
+                return Err(Mistake(format!("two scenes would both be drawn to '{}'", legible(path))));
             }
             _ => {}
         }

@@ -152,11 +152,12 @@ impl<'a> Page<'a> {
         for span in text.spans.iter().filter(|span| !span.text.is_empty()) {
             let size = text.span_size(span);
             let (x, y) = point(DVec2::new(left, text.at.y + text.drop(span)));
-            let bytes = self.shared.fonts.encode(text.font, &span.text);
+            let shown = span.in_place();
+            let bytes = self.shared.fonts.encode(text.font, &shown);
             self.content.set_font(Name(Fonts::name(text.font).as_bytes()), number(size));
             // Letters stand upright though y points down.
             self.content.set_text_matrix([1.0, 0.0, 0.0, -1.0, x, y]).show(Str(&bytes));
-            left += text.font.width(&span.text) * size;
+            left += text.font.width(&shown) * size;
         }
         self.content.end_text();
     }

@@ -1,7 +1,8 @@
 //! docs/gallery.md, which shows every scene's figure with its words and its file.
 
-use crate::support::recorded::is_recorded;
-use crate::support::{root, run, scene_names};
+use snellius::Scene;
+
+use super::{run, scene_names};
 
 const HEAD: &str = "# Gallery
 
@@ -14,12 +15,8 @@ Every scene in `scenes/`, as snellius draws it. Under each figure stands its fil
 /// Chapters in the order of a lecture; others follow after them.
 const CHAPTERS: [&str; 6] = ["refraction", "total-reflection", "prisms", "lenses", "mirrors", "nature"];
 
-#[test]
-fn the_gallery_shows_every_scene() {
-    is_recorded(&root().join("docs/gallery.md"), &page());
-}
-
-fn page() -> String {
+/// The page.
+pub fn page() -> String {
     let names = scene_names();
     let mut chapters: Vec<&str> = names.iter().map(|name| chapter(name)).collect();
     chapters.dedup();
@@ -30,7 +27,7 @@ fn page() -> String {
         let here: Vec<_> = names.iter().filter(|name| chapter(name) == chapter_name).collect();
         page += &format!("\n## {}\n\n<table>\n", heading(chapter_name));
         for row in here.chunks(2) {
-            let cells: String = row.iter().map(|name| cell(name)).collect();
+            let cells: String = row.iter().map(|name| cell(name, &run(name).scene)).collect();
             page += &format!("<tr>\n{cells}</tr>\n");
         }
         page += "</table>\n";
@@ -38,9 +35,9 @@ fn page() -> String {
     page
 }
 
-fn cell(name: &str) -> String {
+/// A scene's place in the table.
+pub fn cell(name: &str, scene: &Scene) -> String {
     let file = format!("scenes/{name}.ron");
-    let scene = run(name).scene;
     let (title, caption) = (markdown(&scene.title), markdown(&scene.caption));
     let figure = format!("![{title}](../snapshots/{name}.svg)");
     format!("<td width=\"50%\">\n\n{figure}\n\n**{title}**<br>{caption}<br>[{file}](../{file})\n\n</td>\n")
@@ -57,15 +54,18 @@ fn heading(chapter: &str) -> String {
     first + &words.chars().skip(1).collect::<String>()
 }
 
-/// Words in which no character is a sign of Markdown.
+/// Words on one line in which no character is a sign of Markdown.
 fn markdown(words: &str) -> String {
     let mut escaped = String::new();
-    for c in words.chars() {
+    let mut before = ' ';
+    for c in words.trim().chars() {
+        let is_link = matches!((before, c), (':', '/') | ('w' | 'W', '.'));
         match c {
-            '\n' => escaped.push(' '),
-            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '~' | '$' | '&' => escaped.extend(['\\', c]),
+            c if c.is_control() => escaped.push(' '),
+            c if is_link || r"\`*_[]<>|~$&@#{}".contains(c) => escaped.extend(['\\', c]),
             _ => escaped.push(c),
         }
+        before = c;
     }
     escaped
 }
