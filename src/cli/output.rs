@@ -85,6 +85,7 @@ impl Target {
 fn write_file(path: &Path, produce: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     match fs::metadata(path) {
         Ok(there) if there.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Err(_) if path.as_os_str().as_encoded_bytes().ends_with(b"/") => Err(io::ErrorKind::IsADirectory.into()),
         // A device or a named pipe cannot be replaced by a file.
         Ok(there) if !there.is_file() => buffered(File::options().write(true).open(path)?, produce),
         _ => write_whole(path, produce),

@@ -145,7 +145,7 @@ fn markdown_words(words: &str) -> String {
     for c in words.chars() {
         // Some make links of `https://…`, `www.…` and addresses without being asked.
         let is_link = matches!((before, c), (':', '/') | ('w' | 'W', '.'));
-        if is_link || r"\`*_{}[]<>#|$~&@".contains(c) {
+        if is_link || r"\`*_{}[]<>#|$~&@^".contains(c) {
             escaped.push('\\');
         }
         escaped.push(c);

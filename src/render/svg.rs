@@ -1,5 +1,5 @@
-//! SVG 1.1 with presentation attributes only, so that every viewer and editor shows the same figure; but for lights that
-//! add up, which only CSS can say: a viewer that does not know `mix-blend-mode` paints them over each other.
+//! SVG 1.1 with presentation attributes only, so that every viewer and editor shows the same figure; but for what only CSS can
+//! say: lights that add up (a viewer that does not know `mix-blend-mode` paints them over each other) and text without kerning.
 //!
 //! Text stays text. Subscripts move by `dy`, because `baseline-shift` is not known everywhere.
 
@@ -27,6 +27,9 @@ pub fn svg_outlined(drawing: &Drawing) -> String {
     document(drawing, write_outlines)
 }
 
+/// Letters stand where the layout has them, whatever page the figure is set into: CSS alone can say so.
+const TEXT_STYLE: &str = "direction:ltr;font-kerning:none;font-variant-ligatures:none";
+
 /// Stands for the figure itself in names until all of it is written; no text holds it.
 const FIGURE: &str = "\u{1}";
 
@@ -37,7 +40,7 @@ fn document(drawing: &Drawing, pen: Pen) -> String {
     let [width, height] = drawing.size;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
-         font-family=\"DejaVu Sans, sans-serif\">\n"
+         font-family=\"DejaVu Sans, sans-serif\" text-rendering=\"geometricPrecision\" style=\"{TEXT_STYLE}\">\n"
     );
     element(&mut out, "title", &drawing.title);
     element(&mut out, "desc", &drawing.description);

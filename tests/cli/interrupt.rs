@@ -100,7 +100,7 @@ fn an_ignored_signal_stays_ignored_and_the_others_leave_nothing_behind() {
     let place = Place::with(&[("a.ron", &scene(300)), ("a.json", "before")]);
     for (ignored, signals) in [("INT", ["-INT", "-TERM"]), ("HUP", ["-HUP", "-INT"]), ("INT,HUP", ["-HUP", "-TERM"])] {
         let command = place.command(&["trace", "a.ron", "-o", "a.json"]);
-        let mut command = with_signals(&format!("--ignore-signal={ignored}"), &as_if_started_by_hand(&command));
+        let mut command = as_if_started_by_hand(&with_signals(&format!("--ignore-signal={ignored}"), &command));
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         await_writing(&place);
         let sent = Command::new("kill").args([signals[0], &child.id().to_string()]).status().unwrap();

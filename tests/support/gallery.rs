@@ -62,7 +62,7 @@ fn markdown(words: &str) -> String {
         let is_link = matches!((before, c), (':', '/') | ('w' | 'W', '.'));
         match c {
             c if c.is_control() => escaped.push(' '),
-            c if is_link || r"\`*_[]<>|~$&@#{}".contains(c) => escaped.extend(['\\', c]),
+            c if is_link || r"\`*_[]<>|~$&@#{}^".contains(c) => escaped.extend(['\\', c]),
             _ => escaped.push(c),
         }
         before = c;

@@ -12,10 +12,11 @@ pub fn scene(words: &str) -> String {
                 (name: "{words}", shape: Rectangle(20, 20), medium: Index(1.5)),
                 (label: "{words}", shape: Rectangle(10, 30), at: (40, 0), medium: Index(1.3)),
                 (name: "{words}2", label: "{words}", shape: Flat(from: (70, -20), to: (70, 20)), surface: Screen),
+                (shape: Flat(from: (55, -20), to: (55, 20)), surface: ThinLens(focal_length: 30)),
             ],
             sources: [
                 (name: "{words}", light: Beam(center: (-30, 0), direction: Angle(1), width: 8, rays: 20), spectrum: Line(550)),
-                (name: "{words}2", light: Object(from: (-40, 0), to: (-40, 6))),
+                (name: "{words}2", light: Object(from: (-40, 0), to: (-40, 6)), spectrum: Line(550)),
             ],
             notes: [(at: (0, -30), text: "{words}")],
         )"#
