@@ -144,7 +144,7 @@ fn markdown_words(words: &str) -> String {
     let mut escaped = String::with_capacity(words.len());
     for c in words.chars() {
         // Some make links of `https://…`, `www.…` and addresses without being asked.
-        let is_link = matches!((before, c), (':', '/') | ('w' | 'W', '.'));
+        let is_link = (before, c) == (':', '/') || c == '.' && ends_in_www(&escaped);
         if is_link || r"\`*_{}[]<>#|$~&@^".contains(c) {
             escaped.push('\\');
         }
@@ -152,6 +152,11 @@ fn markdown_words(words: &str) -> String {
         before = c;
     }
     escaped
+}
+
+fn ends_in_www(words: &str) -> bool {
+    let end = words.len().checked_sub(3).and_then(|start| words.get(start..));
+    end.is_some_and(|end| end.eq_ignore_ascii_case("www"))
 }
 
 /// Words in which LaTeX finds no command, in characters that its usual fonts have.
@@ -182,12 +187,16 @@ fn latex_character(c: char) -> String {
         '°' => r"\textdegree{}".into(),
         _ => match MATH.iter().find(|(known, _)| *known == c) {
             Some((_, command)) => format!("${command}$"),
-            None if c.is_ascii() || ('\u{a0}'..'\u{180}').contains(&c) || "–—‘’“”…".contains(c) => {
-                c.into()
-            }
+            None if is_in_t1(c) => c.into(),
             None => format!("[U+{:04X}]", u32::from(c)),
         },
     }
+}
+
+/// Whether LaTeX's usual fonts have a character, in the encoding T1 with `textcomp`.
+fn is_in_t1(c: char) -> bool {
+    let is_latin = ('\u{a0}'..'\u{180}').contains(&c) && !"ĦħĸĿŀŉŦŧſ".contains(c);
+    c.is_ascii() || is_latin || "–—‘’“”…".contains(c)
 }
 
 /// Characters of titles and names that LaTeX's text fonts lack.
@@ -241,6 +250,7 @@ mod tests {
     #[test]
     fn words_are_no_markup() {
         assert_eq!(markdown_words("a*b_c [x](y) <i> $1 #2"), r"a\*b\_c \[x\](y) \<i\> \$1 \#2");
+        assert_eq!(markdown_words("n. w. www.a https://a a@b ^1 &lt;"), r"n. w. www\.a https:\//a a\@b \^1 \&lt;");
         assert_eq!(
             latex_words(r"50% of #1_a & {b} \x^~$"),
             concat!(r"50\% of \#1\_a \& \{b\} ", r"\textbackslash{}x\textasciicircum{}\textasciitilde{}\$")
@@ -250,6 +260,10 @@ mod tests {
     #[test]
     fn characters_that_latex_lacks_are_written_otherwise() {
         assert_eq!(latex_words("θ → 45°, Größe"), r"$\theta$ $\to$ 45\textdegree{}, Größe");
-        assert_eq!(latex_words("光"), "[U+5149]");
+        assert_eq!(latex_words("光ħ"), "[U+5149][U+0127]");
+        assert_eq!(
+            latex_words(r#"<"a"> -- '' ?` ,,"#),
+            concat!(r"\textless{}\textquotedbl{}a\textquotedbl{}\textgreater{} -{}- '{}' ?\textasciigrave{} ,{},")
+        );
     }
 }

@@ -59,7 +59,7 @@ fn markdown(words: &str) -> String {
     let mut escaped = String::new();
     let mut before = ' ';
     for c in words.trim().chars() {
-        let is_link = matches!((before, c), (':', '/') | ('w' | 'W', '.'));
+        let is_link = (before, c) == (':', '/') || c == '.' && escaped.to_ascii_lowercase().ends_with("www");
         match c {
             c if c.is_control() => escaped.push(' '),
             c if is_link || r"\`*_[]<>|~$&@#{}^".contains(c) => escaped.extend(['\\', c]),
