@@ -2,13 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
+#[path = "markup/latex.rs"]
+mod latex;
+#[path = "markup/markdown.rs"]
+mod markdown;
 mod support;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::LazyLock;
 
-use comrak::nodes::NodeValue;
-use comrak::{Arena, Options, parse_document};
+use latex::{Latex, latex_is_tame};
+use markdown::{gallery_is_tame, markdown_is_tame, outline};
 use proptest::prelude::*;
 use roxmltree::Document;
 use snellius::explain::{self, Part};
@@ -176,192 +179,6 @@ fn text_is_tame(run: &Run) {
     for text in [report::text(&run.system, &run.trace), explained(run, explain::text)] {
         assert!(!text.contains(|c| steers(c) && c != '\n'), "{text:?}");
     }
-}
-
-/// What LaTeX does with the characters of a document: its commands, and where groups and formulas begin and end.
-#[derive(Debug, Default, PartialEq)]
-struct Latex {
-    commands: BTreeSet<String>,
-    formulas: usize,
-    lines: usize,
-}
-
-impl Latex {
-    fn read(document: &str) -> Self {
-        let mut read = Self { lines: document.lines().count(), ..Self::default() };
-        let mut characters = document.chars().peekable();
-        let (mut depth, mut in_formula) = (0_i32, false);
-        while let Some(c) = characters.next() {
-            match c {
-                '\\' => {
-                    let mut name = String::new();
-                    while let Some(letter) = characters.next_if(char::is_ascii_alphabetic) {
-                        name.push(letter);
-                    }
-                    if name.is_empty() {
-                        name.extend(characters.next());
-                    }
-                    read.commands.insert(name);
-                }
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                '$' => {
-                    in_formula = !in_formula;
-                    read.formulas += usize::from(in_formula);
-                }
-                '_' | '^' => assert!(in_formula, "a formula outside of one"),
-                '%' | '#' | '&' | '~' => panic!("{c} acts"),
-                _ => {}
-            }
-            assert!(depth >= 0, "a group ends that has not begun");
-        }
-        assert!(depth == 0 && !in_formula);
-        read
-    }
-}
-
-/// Commands for characters of words.
-const LETTERS: [&str; 15] = [
-    "textbackslash",
-    "textasciitilde",
-    "textasciicircum",
-    "textless",
-    "textgreater",
-    "textquotedbl",
-    "textasciigrave",
-    "textdegree",
-    "{",
-    "}",
-    "#",
-    "$",
-    "%",
-    "&",
-    "_",
-];
-
-fn latex_is_tame(run: &Run) {
-    static PLAIN: LazyLock<Latex> =
-        LazyLock::new(|| Latex::read(&explained(&run_text(&hostile::scene("a")), explain::latex)));
-    let document = explained(run, explain::latex);
-    let read = Latex::read(&document);
-    assert_eq!(read.lines, PLAIN.lines);
-    let unknown: Vec<_> =
-        read.commands.difference(&PLAIN.commands).filter(|name| !LETTERS.contains(&name.as_str())).collect();
-    let is_letter = |name: &&&String| !GREEK.contains(&name.as_str());
-    assert_eq!(unknown.iter().filter(is_letter).count(), 0, "{unknown:?}");
-    assert!(
-        document.chars().all(|c| c == '\n' || (!steers(c) && (c < '\u{180}' || "–—‘’“”…".contains(c)))),
-        "{document:?}"
-    );
-}
-
-/// Signs that words and formulas alike are written with.
-const GREEK: [&str; 34] = [
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "varepsilon",
-    "eta",
-    "theta",
-    "lambda",
-    "mu",
-    "nu",
-    "pi",
-    "rho",
-    "sigma",
-    "tau",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Delta",
-    "Sigma",
-    "Omega",
-    "infty",
-    "to",
-    "leftarrow",
-    "le",
-    "ge",
-    "approx",
-    "ne",
-    "surd",
-    "angle",
-    "cdot",
-    "perp",
-    "parallel",
-    "circ",
-];
-
-/// Markdown as its most generous readers take it.
-fn generous() -> Options<'static> {
-    let mut options = Options::default();
-    let on = &mut options.extension;
-    (on.strikethrough, on.table, on.autolink, on.tasklist, on.superscript) = (true, true, true, true, true);
-    (on.footnotes, on.math_dollars, on.underline, on.alerts, on.description_lists) = (true, true, true, true, true);
-    options.parse.relaxed_autolinks = true;
-    options
-}
-
-/// The kinds of what Markdown finds, in order, and the words of its headings.
-fn outline(markdown: &str) -> (Vec<&'static str>, Vec<String>) {
-    let arena = Arena::new();
-    let document = parse_document(&arena, markdown, &generous());
-    let (mut kinds, mut headings) = (Vec::new(), Vec::new());
-    for node in document.descendants() {
-        let kind = match &node.data().value {
-            NodeValue::Document => "document",
-            NodeValue::Paragraph => "paragraph",
-            NodeValue::List(_) => "list",
-            NodeValue::Item(_) => "item",
-            NodeValue::Strong => "strong",
-            NodeValue::Math(_) => "math",
-            NodeValue::Heading(_) => {
-                let text = node.descendants().filter_map(|part| match &part.data().value {
-                    NodeValue::Text(text) => Some(text.to_string()),
-                    _ => None,
-                });
-                headings.push(text.collect());
-                "heading"
-            }
-            NodeValue::Text(_) => continue,
-            other => panic!("{other:?} in {markdown}"),
-        };
-        kinds.push(kind);
-    }
-    (kinds, headings)
-}
-
-fn markdown_is_tame(words: &str, run: &Run) {
-    static PLAIN: LazyLock<Vec<&str>> =
-        LazyLock::new(|| outline(&explained(&run_text(&hostile::scene("a")), explain::markdown)).0);
-    let (kinds, headings) = outline(&explained(run, explain::markdown));
-    assert_eq!(kinds, *PLAIN);
-    assert_eq!(headings[0].trim(), one_line(words).replace('\0', "\u{fffd}").trim_matches([' ', '\t']));
-}
-
-/// A scene's place in docs/gallery.md: a table of HTML with Markdown in it.
-fn gallery_is_tame(run: &Run) {
-    let cell = support::gallery::cell("chapter/name", &run.scene);
-    let inside = cell.strip_prefix("<td width=\"50%\">\n\n").and_then(|rest| rest.strip_suffix("\n\n</td>\n")).unwrap();
-    let arena = Arena::new();
-    let (mut links, mut images, mut breaks) = (0, 0, 0);
-    for node in parse_document(&arena, inside, &generous()).descendants() {
-        match &node.data().value {
-            NodeValue::Image(image) => {
-                assert_eq!(image.url, "../snapshots/chapter/name.svg");
-                images += 1;
-            }
-            NodeValue::Link(link) => {
-                assert_eq!(link.url, "../scenes/chapter/name.ron");
-                links += 1;
-            }
-            NodeValue::HtmlInline(html) if html == "<br>" => breaks += 1,
-            NodeValue::Document | NodeValue::Paragraph | NodeValue::Strong | NodeValue::Text(_) => {}
-            other => panic!("{other:?} in {cell}"),
-        }
-    }
-    assert_eq!((images, links, breaks), (1, 1, 2));
 }
 
 fn all_is_tame(words: &str) {

@@ -263,7 +263,7 @@ mod tests {
         assert_eq!(latex_words("光ħ"), "[U+5149][U+0127]");
         assert_eq!(
             latex_words(r#"<"a"> -- '' ?` ,,"#),
-            concat!(r"\textless{}\textquotedbl{}a\textquotedbl{}\textgreater{} -{}- '{}' ?\textasciigrave{} ,{},")
+            r"\textless{}\textquotedbl{}a\textquotedbl{}\textgreater{} -{}- '{}' ?\textasciigrave{} ,{},"
         );
     }
 }
