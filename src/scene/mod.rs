@@ -5,7 +5,9 @@ mod body;
 mod check;
 mod color;
 mod diagram;
+mod harmless;
 mod limits;
+mod lines;
 mod listing;
 mod medium;
 mod names;
@@ -24,6 +26,8 @@ pub use limits::{
     MAX_BODIES, MAX_DEVIATIONS, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_OBJECTS, MAX_PIXELS, MAX_POINTS,
     MAX_RAYS, MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
 };
+pub(crate) use harmless::harmless;
+pub(crate) use lines::{LineSpan, Lines};
 pub use listing::render_problems;
 pub use medium::Medium;
 pub use places::Places;

@@ -1,3 +1,6 @@
+use std::borrow::Cow;
+
+use super::foreign::other_language;
 use super::node::{Node, check_syntax, enables_extensions};
 use super::reader::Reader;
 use super::syntax::syntax_problem;
@@ -23,14 +26,18 @@ pub struct Loaded {
 /// All problems of the scene, in the order of the text, at least one of them an error. Where the text cannot be parsed, the one
 /// place where parsing stopped.
 pub fn load(text: &str) -> Result<Loaded, Vec<Problem>> {
+    let text = &*with_known_line_ends(text);
     let body = text.strip_prefix('\u{feff}').unwrap_or(text);
     let offset = text.len() - body.len();
     if body.len() > MAX_TEXT_BYTES {
         return Err(vec![too_long(body.len())]);
     }
+    if let Some(problem) = other_language(body, offset) {
+        return Err(vec![problem]);
+    }
     check_syntax(body).map_err(|error| vec![syntax_problem(body, offset, &error)])?;
     if enables_extensions(body) {
-        return Err(vec![extension(offset)]);
+        return Err(vec![extension(body, offset)]);
     }
     let mut reader = Reader::default();
     let root = Node::root(body, offset);
@@ -48,19 +55,16 @@ pub fn load(text: &str) -> Result<Loaded, Vec<Problem>> {
     Ok(Loaded { scene, places: reader.places, warnings: problems })
 }
 
-/// The text of a scene file's bytes, for [`load`].
-///
-/// # Errors
-/// The bytes are not UTF-8; the problem shows the place of the first fault under the file's name.
-pub fn text_of<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, Problems> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let help = "save the file as UTF-8, which every editor offers";
-        let problem = Problem::error("", "the file is not text in UTF-8", help).label("not a character");
-        let start = error.valid_up_to();
-        let shown = bytes.get(..bytes.len().min(start + 300)).unwrap_or(bytes);
-        let text = String::from_utf8_lossy(shown).into_owned();
-        Problems::new(vec![problem.at(start..start + char::REPLACEMENT_CHARACTER.len_utf8())], text, file)
-    })
+/// The text with `\n` for every `\r` that ends a line alone, which ends no comment in RON. All bytes keep their places.
+fn with_known_line_ends(text: &str) -> Cow<'_, str> {
+    let is_alone = |at: usize| text.as_bytes().get(at + 1) != Some(&b'\n');
+    let alone: Vec<usize> = text.match_indices('\r').map(|(at, _)| at).filter(|at| is_alone(*at)).collect();
+    if alone.is_empty() {
+        return Cow::Borrowed(text);
+    }
+    let mut bytes = text.as_bytes().to_vec();
+    alone.into_iter().for_each(|at| bytes[at] = b'\n');
+    String::from_utf8(bytes).map_or(Cow::Borrowed(text), Cow::Owned)
 }
 
 impl Scene {
@@ -73,10 +77,13 @@ impl Scene {
     }
 }
 
-fn extension(offset: usize) -> Problem {
+fn extension(body: &str, offset: usize) -> Problem {
     let message = "the first line turns on an extension that scenes do not use";
+    let start = body.find('#').unwrap_or(0);
+    let end = body[start..].find(']').map_or(start + 1, |at| start + at + 1);
     Problem::error("", message, "leave the line out; only `implicit_some` is on, and it always is")
-        .at(offset..offset + 1)
+        .label("not needed")
+        .at(offset + start..offset + end)
 }
 
 fn too_long(bytes: usize) -> Problem {

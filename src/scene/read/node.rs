@@ -43,7 +43,9 @@ pub(super) enum Kind {
     Fields,
     /// `Name` or `Name(…)`.
     Name,
-    /// Braces, single quotes and other forms that no scene uses.
+    /// `{…}`, which no scene uses.
+    Braces,
+    /// Single quotes and other forms that no scene uses.
     Other,
 }
 
@@ -58,7 +60,8 @@ impl Kind {
             Self::Group => "values in parentheses",
             Self::Fields => "named fields in parentheses",
             Self::Name => "a word",
-            Self::Other => "braces or single quotes",
+            Self::Braces => "braces",
+            Self::Other => "what no scene has",
         }
     }
 }
@@ -105,6 +108,7 @@ impl<'a> Node<'a> {
             Some('0'..='9' | '+' | '-' | '.') => Kind::Number,
             Some('[') => Kind::List,
             Some('(') => group_kind(text),
+            Some('{') => Kind::Braces,
             Some('r') if text.starts_with("r\"") || text.starts_with("r#") => Kind::Text,
             _ => word(text).map_or(Kind::Other, |(word, _)| match word {
                 "true" | "false" => Kind::Bool,

@@ -28,7 +28,7 @@ pub(super) fn parts(text: &str) -> Vec<&str> {
 
 /// Bytes of the comment or of the text in quotes that begins at a place; else of one that is no letter or digit, or of a
 /// whole word.
-fn token(text: &str, at: usize) -> usize {
+pub(super) fn token(text: &str, at: usize) -> usize {
     let rest = &text.as_bytes()[at..];
     match rest[0] {
         b'"' => quoted(rest, b'"'),
