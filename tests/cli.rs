@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+#[path = "cli/check.rs"]
+mod check;
 #[path = "cli/explain.rs"]
 mod explain;
 #[path = "cli/files.rs"]
@@ -9,6 +11,8 @@ mod files;
 #[cfg(unix)]
 #[path = "cli/interrupt.rs"]
 mod interrupt;
+#[path = "cli/odd_files.rs"]
+mod odd_files;
 #[path = "cli/pictures.rs"]
 mod pictures;
 #[path = "cli/place.rs"]

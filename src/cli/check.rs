@@ -1,11 +1,13 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use serde::Serialize;
 
-use super::console::{Mistake, Status};
+use super::console::{Fault, Mistake, Status};
 use super::output::Target;
-use super::scene::{self, refuse_two_stdins};
+use super::scene::{self, Refusal, refuse_two_stdins};
 use super::stats::Stopwatch;
+use crate::scene::{LineSpan, Lines, Problem, Severity, harmless};
 
 /// Check scenes and show every problem in them.
 #[derive(Args)]
@@ -13,21 +15,120 @@ pub(super) struct Check {
     /// Scene files; '-' is standard input.
     #[arg(value_name = "SCENE", required = true)]
     scenes: Vec<PathBuf>,
+    /// Form of the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A line for each sound scene on standard output, problems on standard error.
+    Text,
+    /// One object with the problems of all scenes, for editors.
+    Json,
 }
 
 impl Check {
     pub(super) fn run(&self) -> Result<Status, Mistake> {
         refuse_two_stdins(&self.scenes)?;
-        Ok(self.scenes.iter().fold(Status::Done, |status, path| {
-            let checked = scene::prepare(path, &mut Stopwatch::start()).and_then(|ready| {
-                let verdict = match ready.warnings {
-                    0 => "ok".into(),
-                    1 => "ok, 1 warning".into(),
-                    many => format!("ok, {many} warnings"),
-                };
-                Target::Stdout.write(|out| writeln!(out, "{}: {verdict}", scene::name(path)))
-            });
-            status.and(Status::of(checked))
-        }))
+        Ok(match self.format {
+            Format::Text => self.scenes.iter().fold(Status::Done, |status, path| status.and(Status::of(check(path)))),
+            Format::Json => self.report(),
+        })
+    }
+
+    fn report(&self) -> Status {
+        let report = Report { schema: 1, files: self.scenes.iter().map(|path| Checked::of(path)).collect() };
+        let written = Target::Stdout.write(|mut out| {
+            serde_json::to_writer_pretty(&mut out, &report)?;
+            writeln!(out)
+        });
+        let all_ok = report.files.iter().all(|file| file.ok);
+        Status::of(written).and(if all_ok { Status::Done } else { Status::Fault })
+    }
+}
+
+/// Every problem of a scene and its text; whether the scene can be used.
+fn problems(path: &Path) -> Result<(Vec<Problem>, String), Refusal> {
+    scene::load(path, &mut Stopwatch::start()).map(|ready| {
+        let light = ready.light_warnings(None);
+        ([ready.warnings, light].concat(), ready.text)
+    })
+}
+
+fn check(path: &Path) -> Result<(), Fault> {
+    let (warnings, text) = problems(path).map_err(|refusal| refusal.fault(path))?;
+    scene::warn(&warnings, &text, path);
+    let verdict = match warnings.len() {
+        0 => "ok".into(),
+        1 => "ok, 1 warning".into(),
+        many => format!("ok, {many} warnings"),
+    };
+    Target::Stdout.write(|out| writeln!(out, "{}: {verdict}", scene::name(path)))
+}
+
+#[derive(Serialize)]
+struct Report {
+    schema: u32,
+    files: Vec<Checked>,
+}
+
+#[derive(Serialize)]
+struct Checked {
+    file: String,
+    /// Whether the scene can be used.
+    ok: bool,
+    problems: Vec<Shown>,
+}
+
+/// A problem in the words of the text form.
+#[derive(Serialize)]
+struct Shown {
+    severity: &'static str,
+    path: String,
+    message: String,
+    label: String,
+    help: String,
+    line: Option<usize>,
+    column: Option<usize>,
+    end_line: Option<usize>,
+    end_column: Option<usize>,
+    start_byte: Option<usize>,
+    end_byte: Option<usize>,
+}
+
+impl Checked {
+    fn of(path: &Path) -> Self {
+        let file = scene::plain_name(path);
+        let (problems, text) = match problems(path) {
+            Ok(found) => found,
+            Err(Refusal::Problems(problems, text)) => (problems, text),
+            Err(Refusal::Unread(why)) => (vec![Problem::error("", why, "")], String::new()),
+        };
+        let lines = Lines::new(&text);
+        let ok = problems.iter().all(|problem| problem.severity == Severity::Warning);
+        Self { file, ok, problems: problems.iter().map(|problem| Shown::of(problem, &lines)).collect() }
+    }
+}
+
+impl Shown {
+    fn of(problem: &Problem, lines: &Lines<'_>) -> Self {
+        let place = problem.span.as_ref().and_then(|span| Some((span, lines.span(span)?)));
+        let (span, place) = place.unzip();
+        let of = |value: fn(&LineSpan) -> usize| place.as_ref().map(value);
+        let text = |words: &str| harmless(words).into_owned();
+        Self {
+            severity: problem.severity.word(),
+            path: text(&problem.path),
+            message: text(&problem.message),
+            label: text(&problem.label),
+            help: text(&problem.help),
+            line: of(|place| place.line),
+            column: of(|place| place.column),
+            end_line: of(|place| place.end_line),
+            end_column: of(|place| place.end_column),
+            start_byte: span.map(|span| span.start),
+            end_byte: span.map(|span| span.end),
+        }
     }
 }

@@ -17,6 +17,7 @@ mod region;
 mod runs;
 mod shapes;
 mod sources;
+mod starts;
 
 use std::collections::HashMap;
 
@@ -102,7 +103,8 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     let firsts = runs.firsts(kept.map(|(piece, _)| piece.boundary));
     let dropped = ground.dropped.len();
     walls.retain(is_interface);
-    let warnings = gaps(&walls, &firsts, &neighbors, near).into_iter().map(|gap| gap_warning(scene, gap)).collect();
+    let gaps = gaps(&walls, &firsts, &neighbors, near).into_iter().map(|gap| gap_warning(scene, gap));
+    let mut warnings: Vec<Problem> = gaps.collect();
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
     let (tree, cells) = where_rays_look(&walls, near);
     let system = OpticalSystem {
@@ -120,6 +122,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         title: scene.title.clone(),
         interfaces: walls,
     };
+    warnings.extend(starts::warnings(scene, &system));
     Ok(Compiled { system, warnings })
 }
 

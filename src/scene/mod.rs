@@ -22,11 +22,11 @@ use glam::DVec2;
 pub use axis::{Imaging, OpticalAxis, facing};
 pub use body::{Body, Element, PathStep, Shape, Substance, Surface};
 pub use diagram::{DiagramSettings, RayColor, Theme, View};
+pub(crate) use harmless::harmless;
 pub use limits::{
     MAX_BODIES, MAX_DEVIATIONS, MAX_INDEX, MAX_LENGTH, MAX_LINES, MAX_NOTES, MAX_OBJECTS, MAX_PIXELS, MAX_POINTS,
     MAX_RAYS, MAX_SEGMENTS, MAX_SIDES, MAX_TEXT_BYTES, MIN_LENGTH, MIN_PIXELS,
 };
-pub(crate) use harmless::harmless;
 pub(crate) use lines::{LineSpan, Lines};
 pub use listing::render_problems;
 pub use medium::Medium;

@@ -90,6 +90,12 @@ impl Problems {
         Self { list, text: text.into(), file: file.into() }
     }
 
+    /// The text that the places of the problems count in.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The problems, in the order of the text.
     #[must_use]
     pub fn list(&self) -> &[Problem] {

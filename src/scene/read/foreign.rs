@@ -46,7 +46,11 @@ pub(super) fn other_language(text: &str, offset: usize) -> Option<Problem> {
     let (begin, what, help) = if rest.starts_with('{') {
         ("{", "as in JSON or Python", "write `(title: \"…\", bodies: […])`, names of fields without quotes")
     } else if rest.starts_with('<') {
-        ("<", "as in XML or SVG", "write `(title: \"…\", bodies: […])`; `snellius new prism` prints a scene to start from")
+        (
+            "<",
+            "as in XML or SVG",
+            "write `(title: \"…\", bodies: […])`; `snellius new prism` prints a scene to start from",
+        )
     } else if rest.starts_with("---") {
         ("---", "as in YAML", "write `(title: \"…\", bodies: […])`; `snellius new prism` prints a scene to start from")
     } else {

@@ -4,6 +4,7 @@ use super::foreign::other_language;
 use super::node::{Node, check_syntax, enables_extensions};
 use super::reader::Reader;
 use super::syntax::syntax_problem;
+use crate::scene::places::parent;
 use crate::scene::{MAX_TEXT_BYTES, Places, Problem, Problems, Scene, Severity};
 
 /// A scene that was read from text, free of errors.
@@ -44,7 +45,12 @@ pub fn load(text: &str) -> Result<Loaded, Vec<Problem>> {
     reader.places.insert("", root.span());
     let scene: Scene = reader.read(&root);
     // What a stand-in gets wrong says nothing about the file.
-    let faults = scene.validate().into_iter().filter(|problem| !reader.is_stand_in(&problem.path));
+    let faults = scene.validate().into_iter().filter(|problem| {
+        // A formula is at fault as a whole, its coefficients one by one.
+        let is_formula = problem.path.ends_with(".b") || problem.path.ends_with(".coefficients");
+        let around = if is_formula { parent(&problem.path) } else { None };
+        !reader.is_stand_in(&problem.path) && !around.is_some_and(|medium| reader.has_stand_in(medium))
+    });
     let mut problems: Vec<Problem> = faults.collect();
     problems.append(&mut reader.problems);
     problems.iter_mut().for_each(|problem| locate(problem, &reader.places, text));

@@ -61,7 +61,7 @@ impl Kind {
             Self::Fields => "named fields in parentheses",
             Self::Name => "a word",
             Self::Braces => "braces",
-            Self::Other => "what no scene has",
+            Self::Other => "a character or something else that no scene has",
         }
     }
 }

@@ -64,7 +64,7 @@ impl Read for u64 {
         }
         let value = node.plain().or_else(|| whole(node.plain()?));
         if value.is_none() {
-            let help = "write a whole number such as `8`, not negative and at most 2^53";
+            let help = "write a whole number such as `8`, without sign, decimals and unit";
             r.refuse(node, format!("`{}` is not a count", node.text()), "not a whole number", help);
         }
         value

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use super::fields::Fields;
 use super::node::{Kind, Node};
-use super::variant::{Form, Variant};
-use crate::scene::names::{listed, suggestion};
+use super::variant::{Form, POINT, Variant};
+use crate::scene::names::{listed, nearest, suggestion};
 use crate::scene::places::parent;
 use crate::scene::{Places, Problem};
 
@@ -43,6 +43,11 @@ impl Reader {
     pub(super) fn is_stand_in(&self, path: &str) -> bool {
         let around = std::iter::successors(Some(path), |path| parent(path));
         !self.stand_ins.is_empty() && around.into_iter().any(|path| self.stand_ins.contains(path))
+    }
+
+    /// Whether some value within a path is but a stand-in.
+    pub(super) fn has_stand_in(&self, path: &str) -> bool {
+        self.stand_ins.iter().any(|inner| inner.strip_prefix(path).is_some_and(|rest| rest.starts_with(['.', '['])))
     }
 
     /// Notes an error at a node.
@@ -87,6 +92,20 @@ impl Reader {
             Kind::Group if node.group().is_some_and(|elements| elements.is_empty()) => Some(Vec::new()),
             _ => None,
         };
+        if let Some((word, Some(arguments))) = node.word()
+            && entries.is_none()
+            && arguments.kind() == Kind::Fields
+        {
+            let message = format!("{what} has no name before its fields");
+            self.note(
+                &node.path,
+                node.word_span(),
+                message,
+                "no name here",
+                format!("leave `{word}` out: write `(…)`"),
+            );
+            return None;
+        }
         let Some(entries) = entries else {
             self.expected(node, &format!("the named fields of {what}"), format!("write them like `{example}`"));
             return None;
@@ -95,6 +114,7 @@ impl Reader {
         for entry in entries {
             let (path, span) = (&entry.value.path, entry.name_span.clone());
             if !valid.contains(&entry.name) {
+                fields.meant.extend(nearest(entry.name, valid).map(str::to_owned));
                 let message = format!("{what} has no field `{}`", entry.name);
                 self.note(path, span, message, "unknown field", suggestion(entry.name, valid));
             } else if fields.has(entry.name) {
@@ -143,8 +163,11 @@ impl Reader {
     /// Two values in parentheses.
     pub(super) fn pair<T: Read>(&mut self, node: &Node<'_>, what: &str, help: &str) -> Option<[T; 2]> {
         let elements = (node.kind() == Kind::Group).then(|| node.group()).flatten();
+        let are_many = elements.as_ref().is_some_and(|elements| {
+            elements.len() > 2 && elements.iter().all(|element| element.kind() == Kind::Number)
+        });
         let Some(pair) = elements.and_then(|elements| <[Node<'_>; 2]>::try_from(elements).ok()) else {
-            self.expected(node, what, help);
+            self.expected(node, what, format!("{help}{}", if are_many { POINT } else { "" }));
             return None;
         };
         self.note_places(&pair);

@@ -64,7 +64,7 @@ fn fault(text: &str, error: &SpannedError) -> Fault {
             help: "no scene needs more than 12 levels; check for an opening bracket too many",
         },
         _ if text[at..].is_empty() => unclosed(at, open),
-        code => odd_character(text, at).unwrap_or_else(|| match code {
+        code => odd_character(text, fraction(text, at).unwrap_or(at)).unwrap_or_else(|| match code {
             Error::TrailingCharacters => behind_the_scene(text, at),
             Error::ExpectedComma => separator(text, at, &before),
             _ if char_at(text, at) == Some('(') && is_in_fields(open) => parenthesis_left_open(text, at, open),
@@ -88,6 +88,10 @@ fn odd_character(text: &str, at: usize) -> Option<Fault> {
         '，' | '、' | '；' | ';' => {
             (format!("{name} separates no values"), "write a comma between values, and a point in decimal numbers")
         }
+        '=' => (format!("{name} stands between no name and its value"), "write a field as `name: value`"),
+        '*' | '^' | '+' | '/' => {
+            (format!("{name} stands here, but a scene does not calculate"), "write the result, such as `0.333` for 1/3")
+        }
         '\0' => (
             "a NUL character, which no text has".to_owned(),
             "save the file as UTF-8; such characters come from UTF-16 or from a file that is no text",
@@ -99,6 +103,13 @@ fn odd_character(text: &str, at: usize) -> Option<Fault> {
         _ => return None,
     };
     Some(Fault { at, message, label: "this character", help })
+}
+
+/// The slash of a fraction such as 1/3, behind which parsing stopped.
+fn fraction(text: &str, at: usize) -> Option<usize> {
+    let before = text[..at].trim_end_matches(|c: char| c.is_ascii_digit() || c == '.' || c == ' ');
+    let number = before.strip_suffix('/')?;
+    number.trim_end().ends_with(|c: char| c.is_ascii_digit()).then_some(number.len())
 }
 
 /// The text goes on after a whole value.
@@ -190,7 +201,8 @@ fn separator(text: &str, at: usize, before: &Before<'_>) -> Fault {
     let open = before.innermost();
     let end = text[..at].trim_end().len();
     let (last, next) = (text[..at].chars().next_back().unwrap_or(' '), char_at(text, at).unwrap_or(' '));
-    if let Some(begin) = before.quoted.clone().filter(|quoted| quoted.end == end && text[quoted.clone()].contains('\n')) {
+    if let Some(begin) = before.quoted.clone().filter(|quoted| quoted.end == end && text[quoted.clone()].contains('\n'))
+    {
         return runs_on(text, begin.start, at);
     }
     let words = match next {
@@ -200,6 +212,7 @@ fn separator(text: &str, at: usize, before: &Before<'_>) -> Fault {
     match words {
         Some((message, label, help)) => Fault { at, message, label, help },
         None if next == '(' && is_in_fields(open) => parenthesis_left_open(text, at, open),
+        None if open.is_some_and(|open| open.bracket == '[') && is_field(&text[at..]) => field_in_list(text, at, open),
         None => missing_comma(text, end, found(text, at)),
     }
 }
@@ -209,7 +222,10 @@ fn runs_on(text: &str, begin: usize, at: usize) -> Fault {
     let line = 1 + text[..at].matches('\n').count();
     Fault {
         at: begin,
-        message: format!("the text in quotes that begins here ends only on line {line}, and {} follows", found(text, at)),
+        message: format!(
+            "the text in quotes that begins here ends only on line {line}, and {} follows",
+            found(text, at)
+        ),
         label: "begins here",
         help: "add the closing `\"` where the text is to end; a quote inside of the text is written `\\\"`",
     }
@@ -220,11 +236,10 @@ fn out_of_place(text: &str, at: usize, open: Option<Open<'_>>) -> Words {
     let inside = open.map_or('(', |open| open.bracket);
     let line = line_of(text, open);
     match (char_at(text, at), inside) {
-        (Some(':'), '[') => (
-            format!("a field in the middle of the list from line {line}"),
-            "not expected here",
-            "close the list with `]` before, or put its fields in parentheses",
-        ),
+        (Some(':'), '[') => {
+            let Fault { message, label, help, .. } = field_in_list(text, at, open);
+            (message, label, help)
+        }
         (Some(':'), _) => (
             "a value with a name among values without names".to_owned(),
             "not expected here",
@@ -235,6 +250,21 @@ fn out_of_place(text: &str, at: usize, open: Option<Open<'_>>) -> Words {
             "does not match",
             "close every `(` with `)` and every `[` with `]`, the inner ones first",
         ),
+    }
+}
+
+/// Whether text begins with `name:`.
+fn is_field(text: &str) -> bool {
+    let rest = text.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+    rest.len() < text.len() && rest.trim_start().starts_with(':')
+}
+
+fn field_in_list(text: &str, at: usize, open: Option<Open<'_>>) -> Fault {
+    Fault {
+        at,
+        message: format!("a field in the middle of the list from line {}", line_of(text, open)),
+        label: "not expected here",
+        help: "close the list with `]` before, or put its fields in parentheses",
     }
 }
 

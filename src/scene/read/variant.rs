@@ -2,6 +2,9 @@ use super::fields::Fields;
 use super::node::{Kind, Node};
 use super::reader::{Read, Reader};
 
+/// What to add where there are more numbers than there should be.
+pub(super) const POINT: &str = "; a decimal number has a point, as in `4.5`";
+
 /// A way to write a value that starts with a word: the word, and an example that is right.
 pub(super) type Form = (&'static str, &'static str);
 
@@ -31,8 +34,11 @@ impl<'a> Variant<'a> {
         let arguments = self.arguments.as_ref();
         let values = arguments.filter(|node| node.kind() == Kind::Group).and_then(Node::group);
         let found = values.as_ref().map(Vec::len);
+        let are_numbers = values.iter().flatten().all(|value| value.kind() == Kind::Number);
         let Some(mut values) = values.and_then(|values| <[Node<'a>; N]>::try_from(values).ok()) else {
-            self.refuse(r, &self.wrong_values(found, N), "not in this form");
+            let message = self.wrong_values(found, N);
+            let help = if found > Some(N) && are_numbers && !self.example.contains("((") { POINT } else { "" };
+            r.refuse(&self.node, message, "not in this form", format!("write it like `{}`{help}", self.example));
             return None;
         };
         for (value, name) in values.iter_mut().zip(names) {
