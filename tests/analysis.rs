@@ -13,3 +13,5 @@ mod deviation;
 mod irradiance;
 #[path = "analysis/paraxial.rs"]
 mod paraxial;
+#[path = "analysis/unmet.rs"]
+mod unmet;

@@ -5,6 +5,8 @@
 #[cfg(unix)]
 #[path = "cli/access.rs"]
 mod access;
+#[path = "cli/check.rs"]
+mod check;
 #[cfg(unix)]
 #[path = "cli/crash.rs"]
 mod crash;
@@ -19,6 +21,8 @@ mod interrupt;
 mod limits;
 #[path = "cli/many.rs"]
 mod many;
+#[path = "cli/odd_files.rs"]
+mod odd_files;
 #[cfg(unix)]
 #[path = "cli/paths.rs"]
 mod paths;

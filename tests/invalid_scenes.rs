@@ -30,18 +30,30 @@ fn problems(text: &str) -> Vec<Problem> {
     }
 }
 
+/// The problems of a file, with the text that their places count in.
+fn of_file(path: &Path) -> (Vec<Problem>, String) {
+    match text_of(&fs::read(path).unwrap(), "") {
+        Ok(text) => (problems(text), text.to_owned()),
+        Err(problems) => (problems.list().to_vec(), problems.text().to_owned()),
+    }
+}
+
+fn shown(path: &Path) -> String {
+    let (problems, text) = of_file(path);
+    render_problems(&problems, &text, &format!("{}.ron", stem(path)))
+}
+
 #[test]
 fn every_invalid_scene_is_refused_in_these_words() {
-    for path in files("tests/invalid", "ron") {
-        let text = fs::read_to_string(&path).unwrap();
-        let name = stem(&path);
-        let shown = render_problems(&problems(&text), &text, &format!("{name}.ron"));
+    let scenes = files("tests/invalid", "ron");
+    assert!(scenes.len() >= 80, "{}", scenes.len());
+    for path in scenes {
         insta::with_settings!({
             snapshot_path => folder("snapshots/invalid"),
             prepend_module_to_snapshot => false,
             omit_expression => true,
         }, {
-            insta::assert_snapshot!(name, shown);
+            insta::assert_snapshot!(stem(&path), shown(&path));
         });
     }
 }
@@ -83,8 +95,7 @@ const INNER_WORDS: [&str; 21] = [
 #[test]
 fn every_message_has_place_fault_and_cure_in_plain_words() {
     for path in files("tests/invalid", "ron") {
-        let text = fs::read_to_string(&path).unwrap();
-        let found = problems(&text);
+        let (found, text) = of_file(&path);
         assert!(found.iter().any(|problem| problem.severity == Severity::Error), "{path:?} has no error");
         for problem in found {
             let span = problem.span.clone().unwrap_or_else(|| panic!("{path:?} has no place: {problem:?}"));
@@ -164,4 +175,77 @@ fn a_scene_built_in_rust_is_checked_alike() {
     scene.diagram.size = [0, 9];
     let paths: Vec<String> = scene.validate().into_iter().map(|problem| problem.path).collect();
     assert_eq!(paths, ["bodies[0].rotate", "diagram.size[0]", "diagram.size[1]"]);
+}
+
+/// Every word that the reader and the checks can say about a scene is in some snapshot: no message is without its scene.
+#[test]
+fn every_message_has_its_scene() {
+    let said: String =
+        files("snapshots/invalid", "snap").iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    let sources = ["src/scene/check", "src/scene/read"].into_iter().flat_map(|place| files(place, "rs"));
+    let others = ["src/scene/medium.rs", "src/scene/names.rs", "src/scene/color.rs", "src/laws/index.rs"].map(folder);
+    let quiet = ["tests.rs", "stress.rs"];
+    let sources = sources.chain(others).filter(|path| !quiet.contains(&path.file_name().unwrap().to_str().unwrap()));
+    let mut unsaid = Vec::new();
+    for path in sources {
+        let code = fs::read_to_string(&path).unwrap();
+        let words = literals(code.split("#[cfg(test)]").next().unwrap()).into_iter().flat_map(|text| pieces(&text));
+        unsaid.extend(words.filter(|words| !said.contains(words.as_str())).map(|words| (stem(&path), words)));
+    }
+    let expected: BTreeSet<&str> = UNSAID.into();
+    assert_eq!(unsaid.iter().map(|(_, words)| words.as_str()).collect::<BTreeSet<_>>(), expected, "{unsaid:#?}");
+}
+
+/// What no scene of this folder can make the program say.
+const UNSAID: [&str; 13] = [
+    // Of values that only a program can build.
+    "a body needs a `medium` or a `surface` unless it is a lens group",
+    "give what fills the shape or what its boundary does",
+    "must be a finite number, not",
+    "the wavelength",
+    "the refractive index must be a finite number, not",
+    // Of files too large for this folder.
+    "the outline has too many long edges side by side to check that none of them cross",
+    "use fewer points, or several bodies",
+    "bytes long; at most",
+    "split the scene, or give curved outlines as arcs instead of many points",
+    // Of faults that ron names otherwise in what a scene can be.
+    "expected `]`, found",
+    "expected a closing bracket, found",
+    "close the parenthesis with `)`",
+    "the end of the text",
+];
+
+/// The texts in double quotes of Rust code without raw ones, comments left out.
+fn literals(code: &str) -> Vec<String> {
+    let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let code: String = lines.map(|line| format!("{line}\n")).collect();
+    let (mut texts, mut rest) = (Vec::new(), code.replace("'\"'", "").replace("'\\\"'", ""));
+    while let Some(start) = rest.find('"') {
+        let (mut text, mut escaped, mut end) = (String::new(), false, rest.len());
+        for (at, c) in rest[start + 1..].char_indices() {
+            match (c, escaped) {
+                ('"', false) => {
+                    end = start + 1 + at;
+                    break;
+                }
+                ('\\', false) => escaped = true,
+                (c, true) => {
+                    escaped = false;
+                    text.push(if c == 'n' { '\n' } else { c });
+                }
+                (c, false) => text.push(c),
+            }
+        }
+        texts.push(text);
+        rest = rest[(end + 1).min(rest.len())..].to_owned();
+    }
+    texts
+}
+
+/// The fixed words of a text with places to fill in, as long as they are prose.
+fn pieces(text: &str) -> Vec<String> {
+    let fixed = text.split('{').map(|piece| piece.split_once('}').map_or(piece, |(_, rest)| rest));
+    let fixed = fixed.flat_map(|piece| piece.split('\n')).map(|piece| piece.trim().to_owned());
+    fixed.filter(|piece| piece.len() >= 10 && piece.contains(' ')).collect()
 }

@@ -33,6 +33,7 @@ mod irradiance;
 mod least_deviation;
 mod objects;
 mod paraxial;
+mod unmet;
 
 pub use axis::Axis;
 pub use bundle::{Bundle, BundleRay, Focus, ImageKind};
@@ -43,3 +44,4 @@ pub use irradiance::{Curve, Irradiance, irradiance};
 pub use least_deviation::{LeastDeviation, least_deviation};
 pub use objects::{ObjectImage, object_images};
 pub use paraxial::{Paraxial, paraxial, paraxial_of};
+pub use unmet::{problems, unmet_bodies};

@@ -81,6 +81,7 @@ impl Explain {
         };
         watch.begin("tracing");
         let Trace { tree, summary } = trace::trace_watched(&ready.system, &progress::count);
+        ready.warn_of_light(&self.scene, Some(&tree));
         let explanations = self.explanations(&ready, &tree)?;
         if explanations.is_empty() {
             let name = scene::name(&self.scene);

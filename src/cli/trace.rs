@@ -6,7 +6,7 @@ use super::console::{Fault, Mistake, Status};
 use super::limits::Allowance;
 use super::output::Target;
 use super::progress;
-use super::scene::{self, Ready};
+use super::scene;
 use super::stats::{Stats, Stopwatch};
 use crate::report;
 use crate::trace::{self, RayTree};
@@ -67,24 +67,25 @@ impl Trace {
 
     fn trace(&self, target: &Target, format: Format) -> Result<(), Fault> {
         let mut watch = Stopwatch::start();
-        let Ready { system, .. } = scene::prepare(&self.scene, &self.allowance.limits(), &mut watch)?;
+        let ready = scene::prepare(&self.scene, &self.allowance.limits(), &mut watch)?;
+        let system = &ready.system;
         watch.begin("tracing");
         let (trace, keeps_tree) = if format == Format::Summary {
-            let summary = trace::summarize_watched(&system, &progress::count);
+            let summary = trace::summarize_watched(system, &progress::count);
             (trace::Trace { tree: RayTree::default(), summary }, false)
         } else {
-            (trace::trace_watched(&system, &progress::count), true)
+            (trace::trace_watched(system, &progress::count), true)
         };
+        ready.warn_of_light(&self.scene, keeps_tree.then_some(&trace.tree));
         watch.begin("writing");
         target.write(|mut out| match format {
-            Format::Csv => report::write_csv(&mut out, &system, &trace.tree),
-            Format::Json => report::write_json(&mut out, &system, &trace),
-            Format::Summary => report::write_summary_json(&mut out, &system, &trace.summary),
-            Format::Text => report::write_text(&mut out, &system, &trace),
+            Format::Csv => report::write_csv(&mut out, system, &trace.tree),
+            Format::Json => report::write_json(&mut out, system, &trace),
+            Format::Summary => report::write_summary_json(&mut out, system, &trace.summary),
+            Format::Text => report::write_text(&mut out, system, &trace),
         })?;
         if self.stats {
-            Stats { system: &system, summary: &trace.summary, keeps_tree, figure: None }
-                .show(&scene::name(&self.scene), &watch);
+            Stats { system, summary: &trace.summary, keeps_tree, figure: None }.show(&scene::name(&self.scene), &watch);
         }
         Ok(())
     }

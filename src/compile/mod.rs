@@ -18,6 +18,7 @@ mod region;
 mod runs;
 mod shapes;
 mod sources;
+mod starts;
 
 use std::collections::HashMap;
 
@@ -141,6 +142,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
         title: scene.title.clone(),
         interfaces: walls,
     };
+    warnings.extend(starts::warnings(scene, &system));
     Ok(Compiled { system, warnings })
 }
 

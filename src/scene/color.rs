@@ -1,5 +1,7 @@
+use crate::scene::names::nearest;
+
 /// What to write for a color.
-pub(super) const COLOR_HELP: &str = "write `\"#rrggbb\"`, `\"#rgb\"` or one of the names `\"black\"`, `\"gray\"`, `\"white\"`, \
+const COLOR_HELP: &str = "write `\"#rrggbb\"`, `\"#rgb\"` or one of the names `\"black\"`, `\"gray\"`, `\"white\"`, \
      `\"red\"`, `\"orange\"`, `\"yellow\"`, `\"green\"`, `\"cyan\"`, `\"blue\"`, `\"violet\"`, `\"magenta\"`, `\"brown\"`";
 
 const NAMED: [(&str, [u8; 3]); 13] = [
@@ -17,6 +19,14 @@ const NAMED: [(&str, [u8; 3]); 13] = [
     ("magenta", [255, 0, 255]),
     ("brown", [165, 42, 42]),
 ];
+
+/// What to write instead of a color that there is not.
+pub(super) fn color_help(wrong: &str) -> String {
+    match nearest(wrong, &NAMED.map(|(name, _)| name)) {
+        Some(near) => format!("did you mean `\"{near}\"`? Else {COLOR_HELP}"),
+        None => COLOR_HELP.to_owned(),
+    }
+}
 
 /// Red, green and blue of `#rrggbb`, `#rgb` or a name of CSS.
 pub(super) fn parse_color(text: &str) -> Option<[u8; 3]> {

@@ -3,17 +3,18 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
-use crate::scene::{Problem, Severity};
+use crate::scene::Problem;
+use crate::scene::harmless::{harmless, is_unseen};
+use crate::scene::lines::{LineSpan, Lines};
 
 const MOST_SHOWN: usize = 100;
-const BYTE_ORDER_MARK: char = '\u{feff}';
 /// Bytes shown to either side of the fault in a very long line.
 const SURROUNDINGS: usize = 300;
 
 /// Problems as text for people, each beginning with `FILE:LINE:COL:`, then the line at fault underlined, its path and the cure.
 ///
-/// Lines and columns count from 1, columns in characters. `text` is the scene's text; for a scene without text, pass `""`.
-/// After 100 problems, the rest is counted only.
+/// Lines and columns count from 1, columns in characters. Characters that would command a terminal are shown as signs or numbers.
+/// `text` is the scene's text; for a scene without text, pass `""`. After 100 problems, the rest is counted only.
 #[must_use]
 pub fn render_problems(problems: &[Problem], text: &str, file: &str) -> String {
     let lines = Lines::new(text);
@@ -27,76 +28,43 @@ pub fn render_problems(problems: &[Problem], text: &str, file: &str) -> String {
 }
 
 fn render(problem: &Problem, lines: &Lines<'_>, file: &str) -> String {
-    let severity = match problem.severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-    };
-    let span = problem.span.clone().filter(|span| lines.text.get(span.clone()).is_some());
-    let place = span.as_ref().map_or(String::new(), |span| {
-        let (line, column) = lines.place(span.start);
-        format!("{line}:{column}: ")
-    });
-    let file = if file.is_empty() { String::new() } else { format!("{file}:") };
+    let severity = problem.severity.word();
+    let span = problem.span.as_ref().and_then(|span| Some((span, lines.span(span)?)));
+    let place = span.map_or(String::new(), |(_, LineSpan { line, column, .. })| format!("{line}:{column}: "));
+    let file = if file.is_empty() { String::new() } else { format!("{}:", harmless(file)) };
     let gap = if place.is_empty() && !file.is_empty() { " " } else { "" };
-    let mut out = format!("{file}{gap}{place}{severity}: {}\n", problem.message);
-    out.extend(span.map(|span| lines.snippet(span, &problem.label)));
+    let mut out = format!("{file}{gap}{place}{severity}: {}\n", harmless(&problem.message));
+    out.extend(span.map(|(span, _)| snippet(lines, span, &harmless(&problem.label))));
     // Writing to a string cannot fail.
     if !problem.path.is_empty() {
-        let _ = writeln!(out, "  in: {}", problem.path);
+        let _ = writeln!(out, "  in: {}", harmless(&problem.path));
     }
     if !problem.help.is_empty() {
-        let _ = writeln!(out, "help: {}", problem.help);
+        let _ = writeln!(out, "help: {}", harmless(&problem.help));
     }
     out
 }
 
-/// A text and where its lines begin, after a byte order mark.
-struct Lines<'a> {
-    text: &'a str,
-    starts: Vec<usize>,
+/// The line at fault with its number, underlined; of a fault over several lines the first.
+fn snippet(lines: &Lines<'_>, span: &Range<usize>, label: &str) -> String {
+    let (text, number) = (lines.text, lines.number(span.start));
+    let line = lines.line(number);
+    let start = span.start.clamp(line.start, line.end);
+    let shown_start = boundary(text, start.saturating_sub(SURROUNDINGS)).max(line.start);
+    let shown_end = boundary(text, start + SURROUNDINGS).min(line.end);
+    let end = span.end.clamp(start, shown_end);
+    let [before, marked, after] = [shown_start..start, start..end, end..shown_end].map(|part| seen(&text[part]));
+    let mark = AnnotationKind::Primary.span(before.len()..before.len() + marked.len());
+    let mark = mark.label((!label.is_empty()).then_some(label));
+    let source = Snippet::source(before + &marked + &after).line_start(number).annotation(mark);
+    let shown = Renderer::plain().render(&[Level::ERROR.no_name().secondary_title("").element(source)]);
+    shown.lines().skip(1).map(|line| format!("{}\n", line.trim_end())).collect()
 }
 
-impl<'a> Lines<'a> {
-    fn new(text: &'a str) -> Self {
-        let first = if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
-        let others = text.match_indices('\n').map(|(at, _)| at + 1);
-        Self { text, starts: std::iter::once(first).chain(others).collect() }
-    }
-
-    /// Number of the line that holds a byte, from 1.
-    fn number(&self, at: usize) -> usize {
-        self.starts.partition_point(|start| *start <= at).max(1)
-    }
-
-    /// The line with a number, without its end, as bytes of the text.
-    fn line(&self, number: usize) -> Range<usize> {
-        let start = self.starts[number - 1];
-        let end = self.starts.get(number).map_or(self.text.len(), |next| next - 1);
-        let line = self.text.get(start..end).unwrap_or_default();
-        start..start + line.trim_end_matches('\r').len()
-    }
-
-    /// Line and column of a byte, both from 1.
-    fn place(&self, at: usize) -> (usize, usize) {
-        let number = self.number(at);
-        let before = self.text.get(self.line(number).start..at).unwrap_or_default();
-        (number, 1 + before.chars().count())
-    }
-
-    /// The line at fault with its number, underlined; of a fault over several lines the first.
-    fn snippet(&self, span: Range<usize>, label: &str) -> String {
-        let number = self.number(span.start);
-        let line = self.line(number);
-        let start = span.start.clamp(line.start, line.end);
-        let end = span.end.clamp(start, line.end);
-        let shown_start = boundary(self.text, start.saturating_sub(SURROUNDINGS)).max(line.start);
-        let shown_end = boundary(self.text, start + SURROUNDINGS).min(line.end);
-        let marked = start - shown_start..end.min(shown_end) - shown_start;
-        let mark = AnnotationKind::Primary.span(marked).label((!label.is_empty()).then_some(label));
-        let source = Snippet::source(&self.text[shown_start..shown_end]).line_start(number).annotation(mark);
-        let shown = Renderer::plain().render(&[Level::ERROR.no_name().secondary_title("").element(source)]);
-        shown.lines().skip(1).map(|line| format!("{}\n", line.trim_end())).collect()
-    }
+/// A part of a line with a sign for each character that is not seen; the renderer has signs for most, and for tabs blanks.
+fn seen(part: &str) -> String {
+    let is_known = |c: char| c.is_ascii_control() || c == '\u{200d}';
+    part.chars().map(|c| if is_unseen(c) && !is_known(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
 /// The last place between characters at or before a byte.
@@ -123,6 +91,20 @@ mod tests {
     #[test]
     fn a_fault_over_several_lines_is_shown_by_the_first() {
         assert_eq!(shown("(\n  abc\n)", 4..9), "f:2:3: error: wrong\n2 |   abc\n  |   ^^^ here\n");
+    }
+
+    #[test]
+    fn tabs_and_wide_characters_keep_the_underline_in_its_place() {
+        assert_eq!(shown("\t光(x)", 5..6), "f:1:4: error: wrong\n1 |     光(x)\n  |        ^ here\n");
+    }
+
+    #[test]
+    fn nothing_commands_the_terminal() {
+        let problem = Problem::error("a\u{1b}", "b\u{9b}2J", "c\u{202e}").label("d\u{7}").at(2..3);
+        let text = "\u{1b}[31m\u{9b}\u{202e}\u{2028}\u{200e}";
+        let shown = render_problems(&[problem], text, "e\u{1b}c");
+        assert_eq!(shown.chars().find(|c| is_unseen(*c) && *c != '\n'), None, "{shown:?}");
+        assert!(shown.contains("1 | \u{241b}[31m\u{fffd}\u{fffd}\u{fffd}\u{fffd}\n  |   ^ d\\u{7}\n"), "{shown}");
     }
 
     #[test]

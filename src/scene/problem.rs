@@ -14,6 +14,17 @@ pub enum Severity {
     Warning,
 }
 
+impl Severity {
+    /// `error` or `warning`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+        }
+    }
+}
+
 /// Something wrong in a scene: where, what, and what would be right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -130,6 +141,12 @@ impl Problems {
     #[must_use]
     pub fn new(list: Vec<Problem>, text: impl Into<String>, file: impl Into<String>) -> Self {
         Self { list, text: text.into(), file: file.into() }
+    }
+
+    /// The text that the places of the problems count in.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// The problems, in the order of the text.

@@ -22,7 +22,8 @@ pub(crate) struct Stretch {
     pub(crate) work: Work,
 }
 
-/// Follows every ray of the system through every hit, in order and on one thread, and hands every segment on.
+/// Follows every ray of the system through every hit, in order and on one thread, and hands every segment on, for as long as the
+/// visitor goes on.
 ///
 /// It needs memory for the depth of a tree and not for its size.
 pub fn visit(system: &OpticalSystem, visitor: &mut impl Visitor) {
@@ -35,6 +36,9 @@ pub(crate) fn visit_with<'a>(mut tracer: Tracer<'a>, plan: &'a Plan<'a>, visitor
         let (source, ray) = plan.job(job);
         let placed = &plan.system.sources[source];
         for line in 0..placed.lines.len() {
+            if !visitor.goes_on() {
+                return;
+            }
             let traced = plan.ray(source, ray, line);
             let indices = plan.indices(traced.wavelength);
             let mut show = Show { ray: &traced, visitor };

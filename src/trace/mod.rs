@@ -41,6 +41,11 @@ pub struct Trace {
 pub trait Visitor {
     /// One segment, followed or cut.
     fn segment(&mut self, ray: &TracedRay, segment: Segment);
+
+    /// Whether more rays are to be followed; asked before each.
+    fn goes_on(&self) -> bool {
+        true
+    }
 }
 
 /// Traces every ray of a system and keeps the tree; [`RayTree`] shows one. Rays are traced on all processors; the result does

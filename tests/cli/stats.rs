@@ -86,9 +86,9 @@ fn segments_that_another_line_spares_are_counted() {
 #[test]
 fn nodes_are_counted_where_there_is_a_tree() {
     let walls = |number: u32| {
-        let wall = |k| format!("(shape: Polygon([({k}, 0), ({k}.5, 0), ({k}, 3)]), medium: Index(1.5))");
+        let wall = |k| format!("(shape: Rectangle(0.5, 9), at: ({k}, 0), medium: Index(1.1))");
         let bodies: Vec<_> = (0..number).map(wall).collect();
-        traced(&scene(&bodies.join(", "), RAY, ""), "search")
+        traced(&scene(&bodies.join(", "), RAY, "trace: (max_depth: 99, secondary_rays: TransmittedOnly)"), "search")
     };
     assert_eq!(walls(3), "without a search tree, which so few interfaces do not need");
     let many = walls(30);

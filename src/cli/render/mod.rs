@@ -69,7 +69,7 @@ impl Traced {
         look.dress(&mut ready.scene.diagram);
         watch.begin("tracing");
         let trace = trace::trace_watched(&ready.system, &progress::count);
-        ready.warn(diagram::problems(&ready.scene, &trace.tree));
+        ready.warn_of_light(scene, Some(&trace.tree));
         Ok(Self { ready, trace })
     }
 }

@@ -91,7 +91,9 @@ fn check_spread(c: &mut Checker<'_>, path: impl Text, spread: f64, rays: u32) {
         Problem::error(path.to_string(), message, "write the full angle of the fan in degrees").label("negative")
     });
     c.require(spread < 360.0, || {
-        let message = format!("a fan of {}° goes all the way round, and its first and last ray coincide", show(spread));
+        let why =
+            if spread > 360.0 { "more than once round" } else { "all the way round: its first and last ray coincide" };
+        let message = format!("a fan of {}° goes {why}", show(spread));
         Problem::error(path.to_string(), message, format!("use `Point(at: …, rays: {rays})`, or a spread below 360"))
             .label("360° or more")
     });

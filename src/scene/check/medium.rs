@@ -3,7 +3,10 @@ use std::collections::HashSet;
 use super::checker::{Checker, Text, show, show_rounded};
 use crate::light::Wavelength;
 use crate::media::{Dispersion, MediumError};
-use crate::scene::{Body, Limit, MAX_INDEX, Medium, Problem, Scene, Shape, Source, Substance};
+use crate::scene::{Body, Limit, MAX_INDEX, Medium, Problem, Scene, Shape, Source, Spectrum, Substance};
+
+/// The cure for a formula that gives no index.
+const COEFFICIENTS: &str = "correct the coefficients; λ counts in micrometers in them";
 
 /// A medium's own numbers, or its name in the catalog; indices over the spectrum are checked with the sources.
 pub(super) fn check_medium(c: &mut Checker<'_>, path: impl Text, medium: &Medium) {
@@ -12,10 +15,21 @@ pub(super) fn check_medium(c: &mut Checker<'_>, path: impl Text, medium: &Medium
             let path = if problem.path.is_empty() { path.to_string() } else { format!("{path}.{}", problem.path) };
             c.push(Problem { path, ..problem });
         }
-        Ok(dispersion) if is_constant(medium) => {
-            too_large(path, dispersion.index(Wavelength::D)).into_iter().for_each(|problem| c.push(problem))
+        Ok(dispersion) => {
+            let index = dispersion.index(Wavelength::D);
+            let problem = match medium {
+                Medium::Index(_) => too_large(
+                    format_args!("{path}.n"),
+                    index,
+                    "write an index from 1 to 1000000; that of diamond is 2.42",
+                ),
+                Medium::Speed(_) => {
+                    too_large(format_args!("{path}.v"), index, "write a speed from 299.792458 to 299792458 m/s")
+                }
+                _ => None,
+            };
+            problem.into_iter().for_each(|problem| c.push(problem));
         }
-        Ok(_) => {}
     }
 }
 
@@ -23,10 +37,9 @@ fn is_constant(medium: &Medium) -> bool {
     matches!(medium, Medium::Index(_) | Medium::Speed(_))
 }
 
-fn too_large(path: impl Text, index: f64) -> Option<Problem> {
+fn too_large(path: impl Text, index: f64, help: &str) -> Option<Problem> {
     (index > MAX_INDEX).then(|| {
         let message = format!("the refractive index is {}, above {}", show_rounded(index), show(MAX_INDEX));
-        let help = "write a smaller index; that of diamond is 2.42";
         Problem::error(path.to_string(), message, help).label("too large")
     })
 }
@@ -93,11 +106,11 @@ fn first_fault(
     medium: &Medium,
     dispersion: &Dispersion,
 ) -> Option<Problem> {
-    let lines = source.spectrum.lines().filter_map(Wavelength::from_nanometers);
-    let mut checked = lines.map(|line| dispersion.check(line));
-    let error = match checked.find(|checked| !is_sound(checked))? {
-        Ok(index) => return too_large(owner, index),
-        Err(error) => error,
+    let lines = source.spectrum.lines().map(Wavelength::from_nanometers).enumerate();
+    let mut checked = lines.filter_map(|(k, line)| Some((k, dispersion.check(line?))));
+    let (k, error) = match checked.find(|(_, checked)| !is_sound(checked))? {
+        (_, Ok(index)) => return too_large(owner, index, COEFFICIENTS),
+        (k, Err(error)) => (k, error),
     };
     let name = match medium {
         Medium::Catalog(name) => format!("`{name}`"),
@@ -108,19 +121,23 @@ fn first_fault(
             let (wavelength, from, to) = (show(wavelength), show(from), show(to));
             let message = format!("{name} of `{owner}` is known from {from} to {to} nm, not at {wavelength} nm");
             let help = format!("choose wavelengths from {from} to {to} nm, or another medium");
-            Problem::error(path.to_string(), message, help).label("outside the medium's range")
+            let at = match source.spectrum {
+                Spectrum::Line(_) => format!("{path}.nm"),
+                Spectrum::Lines(_) => format!("{path}.nm[{k}]"),
+                Spectrum::White { .. } => path.to_string(),
+            };
+            Problem::error(at, message, help).label("outside the medium's range")
         }
         MediumError::BelowOne { wavelength, index } => {
             let (wavelength, index) = (show(wavelength), show_rounded(index));
             let message = format!(
                 "{name} of `{owner}` has the index {index} at {wavelength} nm, below 1: faster than light in vacuum"
             );
-            Problem::error(owner, message, "correct the coefficients; λ counts in micrometers in them").label("below 1")
+            Problem::error(owner, message, COEFFICIENTS).label("below 1")
         }
         other => {
             let message = format!("{name} of `{owner}` has no index for this light: {other}");
-            Problem::error(owner, message, "correct the coefficients; λ counts in micrometers in them")
-                .label("no index")
+            Problem::error(owner, message, COEFFICIENTS).label("no index")
         }
     })
 }

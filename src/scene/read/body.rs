@@ -4,7 +4,7 @@ use super::fields::Fields;
 use super::node::Node;
 use super::reader::{Read, Reader};
 use super::variant::Form;
-use crate::scene::color::{COLOR_HELP, parse_color};
+use crate::scene::color::{color_help, parse_color};
 use crate::scene::problem::shortened;
 use crate::scene::{Body, Medium, Shape, Substance, Surface};
 
@@ -50,7 +50,7 @@ impl Read for [u8; 3] {
         let text = String::read(r, node)?;
         let color = parse_color(&text);
         if color.is_none() {
-            r.refuse(node, format!("`{}` is not a known color", shortened(&text)), "unknown color", COLOR_HELP);
+            r.refuse(node, format!("`{}` is not a known color", shortened(&text)), "unknown color", color_help(&text));
         }
         color
     }
@@ -76,6 +76,12 @@ fn substance(r: &mut Reader, f: &Fields<'_>, shape: &Shape) -> Substance {
 
 /// What a body without `medium` and `surface` is made of.
 fn default_substance(r: &mut Reader, f: &Fields<'_>, shape: &Shape) -> Substance {
+    if f.is_meant("medium") {
+        return Substance::Medium(r.stand_in(&f.node().field_path("medium")));
+    }
+    if f.is_meant("surface") {
+        return Substance::Surface(r.stand_in(&f.node().field_path("surface")));
+    }
     match shape {
         Shape::LensGroup { .. } => return Substance::Elements,
         Shape::Stop { .. } => {}

@@ -9,11 +9,13 @@ pub(super) struct Fields<'a> {
     what: String,
     example: String,
     values: HashMap<&'a str, Node<'a>>,
+    /// Fields that misspelt ones are probably meant for.
+    pub(super) meant: Vec<String>,
 }
 
 impl<'a> Fields<'a> {
     pub(super) fn new(node: Node<'a>, what: &str, example: &str) -> Self {
-        Self { node, what: what.to_owned(), example: example.to_owned(), values: HashMap::new() }
+        Self { node, what: what.to_owned(), example: example.to_owned(), values: HashMap::new(), meant: Vec::new() }
     }
 
     pub(super) fn add(&mut self, entry: Entry<'a>) {
@@ -25,6 +27,11 @@ impl<'a> Fields<'a> {
         self.values.contains_key(name)
     }
 
+    /// Whether a misspelt field is probably meant for this one.
+    pub(super) fn is_meant(&self, name: &str) -> bool {
+        self.meant.iter().any(|meant| meant == name)
+    }
+
     /// The value that carries the fields.
     pub(super) fn node(&self) -> &Node<'a> {
         &self.node
@@ -34,6 +41,9 @@ impl<'a> Fields<'a> {
     pub(super) fn required<T: Read>(&self, r: &mut Reader, name: &str) -> T {
         if let Some(value) = self.values.get(name) {
             return r.read(value);
+        }
+        if self.is_meant(name) {
+            return r.stand_in(&self.node.field_path(name));
         }
         let message = format!("{} needs the field `{name}`", self.what);
         let help = format!("write it like `{}`", self.example);

@@ -1,6 +1,10 @@
+use std::borrow::Cow;
+
+use super::foreign::other_language;
 use super::node::{Node, check_syntax, enables_extensions};
 use super::reader::Reader;
 use super::syntax::syntax_problem;
+use crate::scene::places::parent;
 use crate::scene::{Limit, Limits, Places, Problem, Problems, Scene, Severity};
 
 /// A scene that was read from text, free of errors.
@@ -31,14 +35,18 @@ pub fn load(text: &str) -> Result<Loaded, Vec<Problem>> {
 /// # Errors
 /// As those of [`load`].
 pub fn load_within(text: &str, limits: &Limits) -> Result<Loaded, Vec<Problem>> {
+    let text = &*with_known_line_ends(text);
     let body = text.strip_prefix('\u{feff}').unwrap_or(text);
     let offset = text.len() - body.len();
     if body.len() as u64 > limits.of(Limit::Bytes) {
         return Err(vec![too_long(body.len(), limits.of(Limit::Bytes))]);
     }
+    if let Some(problem) = other_language(body, offset) {
+        return Err(vec![problem]);
+    }
     check_syntax(body).map_err(|error| vec![syntax_problem(body, offset, &error)])?;
     if enables_extensions(body) {
-        return Err(vec![extension(offset)]);
+        return Err(vec![extension(body, offset)]);
     }
     let mut reader = Reader::new(*limits);
     let root = Node::root(body, offset);
@@ -46,8 +54,7 @@ pub fn load_within(text: &str, limits: &Limits) -> Result<Loaded, Vec<Problem>> 
     let scene: Scene = reader.read(&root);
     let mut found = std::mem::take(&mut reader.problems);
     if !found.is_full() {
-        // What a stand-in gets wrong says nothing about the file.
-        found.append(scene.faults(limits, &|path| reader.is_stand_in(path)));
+        found.append(scene.faults(limits, &|path| says_nothing(&reader, path)));
     }
     let mut problems = found.into_list();
     problems.iter_mut().for_each(|problem| locate(problem, &reader.places, text));
@@ -58,19 +65,24 @@ pub fn load_within(text: &str, limits: &Limits) -> Result<Loaded, Vec<Problem>> 
     Ok(Loaded { scene, places: reader.places, warnings: problems })
 }
 
-/// The text of a scene file's bytes, for [`load`].
-///
-/// # Errors
-/// The bytes are not UTF-8; the problem shows the place of the first fault under the file's name.
-pub fn text_of<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, Problems> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let help = "save the file as UTF-8, which every editor offers";
-        let problem = Problem::error("", "the file is not text in UTF-8", help).label("not a character");
-        let start = error.valid_up_to();
-        let shown = bytes.get(..bytes.len().min(start + 300)).unwrap_or(bytes);
-        let text = String::from_utf8_lossy(shown).into_owned();
-        Problems::new(vec![problem.at(start..start + char::REPLACEMENT_CHARACTER.len_utf8())], text, file)
-    })
+/// The text with `\n` for every `\r` that ends a line alone, which ends no comment in RON. All bytes keep their places.
+fn with_known_line_ends(text: &str) -> Cow<'_, str> {
+    let is_alone = |at: usize| text.as_bytes().get(at + 1) != Some(&b'\n');
+    let alone: Vec<usize> = text.match_indices('\r').map(|(at, _)| at).filter(|at| is_alone(*at)).collect();
+    if alone.is_empty() {
+        return Cow::Borrowed(text);
+    }
+    let mut bytes = text.as_bytes().to_vec();
+    alone.into_iter().for_each(|at| bytes[at] = b'\n');
+    String::from_utf8(bytes).map_or(Cow::Borrowed(text), Cow::Owned)
+}
+
+/// Whether what is wrong at a path is that of a stand-in, which says nothing about the file.
+fn says_nothing(reader: &Reader, path: &str) -> bool {
+    // A formula is at fault as a whole, its coefficients one by one.
+    let is_formula = path.ends_with(".b") || path.ends_with(".coefficients");
+    let around = if is_formula { parent(path) } else { None };
+    reader.is_stand_in(path) || around.is_some_and(|medium| reader.has_stand_in(medium))
 }
 
 impl Scene {
@@ -83,10 +95,13 @@ impl Scene {
     }
 }
 
-fn extension(offset: usize) -> Problem {
+fn extension(body: &str, offset: usize) -> Problem {
     let message = "the first line turns on an extension that scenes do not use";
+    let start = body.find('#').unwrap_or(0);
+    let end = body[start..].find(']').map_or(start + 1, |at| start + at + 1);
     Problem::error("", message, "leave the line out; only `implicit_some` is on, and it always is")
-        .at(offset..offset + 1)
+        .label("not needed")
+        .at(offset + start..offset + end)
 }
 
 fn too_long(bytes: usize, most: u64) -> Problem {

@@ -4,6 +4,7 @@
 mod body;
 mod brackets;
 mod fields;
+mod foreign;
 mod load;
 mod medium;
 mod node;
@@ -21,4 +22,5 @@ mod syntax;
 mod tests;
 mod variant;
 
-pub use load::{Loaded, load, load_within, text_of};
+pub use foreign::text_of;
+pub use load::{Loaded, load, load_within};

@@ -44,7 +44,9 @@ pub(super) enum Kind {
     Fields,
     /// `Name` or `Name(…)`.
     Name,
-    /// Braces, single quotes and other forms that no scene uses.
+    /// `{…}`, which no scene uses.
+    Braces,
+    /// Single quotes and other forms that no scene uses.
     Other,
 }
 
@@ -59,7 +61,8 @@ impl Kind {
             Self::Group => "values in parentheses",
             Self::Fields => "named fields in parentheses",
             Self::Name => "a word",
-            Self::Other => "braces or single quotes",
+            Self::Braces => "braces",
+            Self::Other => "a character or something else that no scene has",
         }
     }
 }
@@ -106,6 +109,7 @@ impl<'a> Node<'a> {
             Some('0'..='9' | '+' | '-' | '.') => Kind::Number,
             Some('[') => Kind::List,
             Some('(') => group_kind(text),
+            Some('{') => Kind::Braces,
             Some('r') if text.starts_with("r\"") || text.starts_with("r#") => Kind::Text,
             _ => word(text).map_or(Kind::Other, |(word, _)| match word {
                 "true" | "false" => Kind::Bool,
@@ -166,6 +170,11 @@ impl<'a> Node<'a> {
     /// How many elements a list or a group has.
     pub(super) fn size(&self) -> usize {
         self.parts().count()
+    }
+
+    /// Whether it is `(…)` and holds numbers and nothing else.
+    pub(super) fn holds_only_numbers(&self) -> bool {
+        self.group().is_some_and(|mut elements| elements.all(|element| element.kind() == Kind::Number))
     }
 
     /// The value as a Rust type that ron reads by itself.

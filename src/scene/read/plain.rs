@@ -66,7 +66,7 @@ impl Read for u64 {
         }
         let value = node.plain().or_else(|| whole(node.plain()?));
         if value.is_none() {
-            let help = "write a whole number such as `8`, not negative and at most 2^53";
+            let help = "write a whole number such as `8`, without sign, decimals and unit, at most 2^53";
             r.refuse(node, format!("`{}` is not a count", shortened(node.text())), "not a whole number", help);
         }
         value

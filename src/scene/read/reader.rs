@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use super::fields::Fields;
 use super::node::{Kind, Node};
-use super::variant::{Form, Variant};
-use crate::scene::names::{listed, suggestion};
+use super::variant::{Form, POINT, Variant};
+use crate::scene::names::{listed, nearest, suggestion};
 use crate::scene::places::parent;
 use crate::scene::problem::{Found, shortened};
 use crate::scene::{Limit, Limits, Places, Problem};
@@ -63,6 +63,11 @@ impl Reader {
         !self.stand_ins.is_empty() && around.into_iter().any(|path| self.stand_ins.contains(path))
     }
 
+    /// Whether some value within a path is but a stand-in.
+    pub(super) fn has_stand_in(&self, path: &str) -> bool {
+        self.stand_ins.iter().any(|inner| inner.strip_prefix(path).is_some_and(|rest| rest.starts_with(['.', '['])))
+    }
+
     /// Notes an error at a node.
     pub(super) fn refuse(&mut self, node: &Node<'_>, message: impl Into<String>, label: &str, help: impl Into<String>) {
         self.note(&node.path, node.span(), message, label, help);
@@ -101,6 +106,20 @@ impl Reader {
         example: &str,
     ) -> Option<Fields<'a>> {
         let entries = node.fields();
+        if let Some((word, Some(arguments))) = node.word()
+            && entries.is_none()
+            && arguments.kind() == Kind::Fields
+        {
+            let message = format!("{what} has no name before its fields");
+            self.note(
+                &node.path,
+                node.word_span(),
+                message,
+                "no name here",
+                format!("leave `{}` out: write `(…)`", shortened(word)),
+            );
+            return None;
+        }
         if entries.is_none() && !(node.kind() == Kind::Group && node.size() == 0) {
             self.expected(node, &format!("the named fields of {what}"), format!("write them like `{example}`"));
             return None;
@@ -109,6 +128,7 @@ impl Reader {
         for entry in entries.into_iter().flatten() {
             let (path, span) = (&entry.value.path, entry.name_span.clone());
             if !valid.contains(&entry.name) {
+                fields.meant.extend(nearest(entry.name, valid).map(str::to_owned));
                 let message = format!("{what} has no field `{}`", shortened(entry.name));
                 self.note(path, span, message, "unknown field", suggestion(entry.name, valid));
             } else if fields.has(entry.name) {
@@ -189,7 +209,8 @@ impl Reader {
     /// Two values in parentheses.
     pub(super) fn pair<T: Read>(&mut self, node: &Node<'_>, what: &str, help: &str) -> Option<[T; 2]> {
         let Some(pair) = node.group_of() else {
-            self.expected(node, what, help);
+            let are_many = node.size() > 2 && node.holds_only_numbers();
+            self.expected(node, what, format!("{help}{}", if are_many { POINT } else { "" }));
             return None;
         };
         self.note_places(&pair);

@@ -31,7 +31,7 @@ fn end_of_part(text: &str, start: usize) -> usize {
 
 /// Bytes of the comment or of the text in quotes that begins at a place; else of one that is no letter or digit, or of a
 /// whole word.
-fn token(text: &str, at: usize) -> usize {
+pub(super) fn token(text: &str, at: usize) -> usize {
     let rest = &text.as_bytes()[at..];
     match rest[0] {
         b'"' => quoted(rest, b'"'),

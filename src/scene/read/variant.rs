@@ -2,6 +2,9 @@ use super::fields::Fields;
 use super::node::{Kind, Node};
 use super::reader::{Read, Reader};
 
+/// What to add where there are more numbers than there should be.
+pub(super) const POINT: &str = "; a decimal number has a point, as in `4.5`";
+
 /// A way to write a value that starts with a word: the word, and an example that is right.
 pub(super) type Form = (&'static str, &'static str);
 
@@ -31,7 +34,10 @@ impl<'a> Variant<'a> {
         let arguments = self.arguments.as_ref();
         let Some(mut values) = arguments.and_then(Node::group_of) else {
             let found = arguments.filter(|node| node.kind() == Kind::Group).map(Node::size);
-            self.refuse(r, &self.wrong_values(found, N), "not in this form");
+            let are_numbers = arguments.is_some_and(Node::holds_only_numbers);
+            let message = self.wrong_values(found, N);
+            let help = if found > Some(N) && are_numbers && !self.example.contains("((") { POINT } else { "" };
+            r.refuse(&self.node, message, "not in this form", format!("write it like `{}`{help}", self.example));
             return None;
         };
         for (value, name) in values.iter_mut().zip(names) {
