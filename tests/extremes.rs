@@ -10,7 +10,7 @@ mod support;
 
 use glam::DVec2;
 use snellius::numerics::Turn;
-use snellius::scene::{Body, Direction, Light, Medium, Shape, Source, Spectrum, Substance, Surface, TraceSettings};
+use snellius::scene::{Body, Direction, Light, Medium, Shape, Source, Surface};
 use snellius::trace::{Ending, Segment};
 use snellius::{Scene, compile, diagram, render, report, summarize};
 use support::{Run, run_scene, run_text};
@@ -34,19 +34,11 @@ fn transmitted(run: &Run, hits: usize) -> &Segment {
 }
 
 fn body(shape: Shape, index: f64) -> Body {
-    let substance = Substance::Medium(Medium::Index(index));
-    Body { name: None, label: None, color: None, shape, at: DVec2::ZERO, rotate: 0.0, substance }
+    Body::new(shape, Medium::Index(index))
 }
 
 fn ray(from: DVec2, direction: f64) -> Source {
-    Source {
-        name: None,
-        color: None,
-        light: Light::Ray { from, direction: Direction::Angle(direction) },
-        spectrum: Spectrum::default(),
-        power: 1.0,
-        polarization: snellius::scene::Polarization::default(),
-    }
+    Source::new(Light::Ray { from, direction: Direction::Angle(direction) })
 }
 
 #[test]
@@ -107,11 +99,7 @@ fn an_index_of_one_and_its_nearest_neighbors_refract_as_they_must() {
     let index = 1.0 + 1e-15_f64;
     let grazing = |degrees: f64| {
         let glass = body(Shape::Rectangle { width: 2e9, height: 1.0 }, index);
-        let run = run_scene(Scene {
-            bodies: vec![glass],
-            sources: vec![ray(DVec2::new(0.0, 0.25), degrees)],
-            ..Scene::default()
-        });
+        let run = run_scene(Scene::new(vec![glass], vec![ray(DVec2::new(0.0, 0.25), degrees)]));
         is_sound(&run);
         run
     };
@@ -124,11 +112,8 @@ fn an_index_of_one_and_its_nearest_neighbors_refract_as_they_must() {
     assert!((out.direction.y - 0.75 * critical).abs() < 1e-9 * critical, "{out:?}");
     assert_eq!(out.medium_index, 1.0);
     // Nothing is there where the index is 1.
-    let none = run_scene(Scene {
-        bodies: vec![body(Shape::Disk { radius: 1.0 }, 1.0)],
-        sources: vec![ray(DVec2::new(-3.0, 0.5), 0.0)],
-        ..Scene::default()
-    });
+    let none =
+        run_scene(Scene::new(vec![body(Shape::Disk { radius: 1.0 }, 1.0)], vec![ray(DVec2::new(-3.0, 0.5), 0.0)]));
     is_sound(&none);
     assert_eq!(none.trace.tree.rays[0].segments.len(), 1);
 }
@@ -136,11 +121,7 @@ fn an_index_of_one_and_its_nearest_neighbors_refract_as_they_must() {
 #[test]
 fn of_a_thousand_coincident_bodies_the_last_counts() {
     let slab = |k: u32| body(Shape::Rectangle { width: 10.0, height: 40.0 }, 1.1 + 5e-4 * f64::from(k));
-    let run = run_scene(Scene {
-        bodies: (0..1000).map(slab).collect(),
-        sources: vec![ray(DVec2::new(-20.0, 0.0), 30.0)],
-        ..Scene::default()
-    });
+    let run = run_scene(Scene::new((0..1000).map(slab).collect(), vec![ray(DVec2::new(-20.0, 0.0), 30.0)]));
     is_sound(&run);
     assert_eq!(run.system.interfaces().len(), 4);
     let inside = transmitted(&run, 1);
@@ -153,9 +134,7 @@ fn of_a_thousand_coincident_bodies_the_last_counts() {
 fn a_polygon_of_a_million_corners_is_a_disk() {
     let corner = |k: u32| 100.0 * Turn::degrees(360.0 * f64::from(k) / 1e6).direction();
     let source = ray(DVec2::new(-200.0, 50.0), 0.0);
-    let with = |shape: Shape| {
-        run_scene(Scene { bodies: vec![body(shape, 1.5)], sources: vec![source.clone()], ..Scene::default() })
-    };
+    let with = |shape: Shape| run_scene(Scene::new(vec![body(shape, 1.5)], vec![source.clone()]));
     let polygon = with(Shape::Polygon((0..1_000_000).map(corner).collect()));
     let disk = with(Shape::Disk { radius: 100.0 });
     is_sound(&polygon);
@@ -181,16 +160,12 @@ fn comb(teeth: u32, turned: bool) -> Body {
 
 /// The errors of a scene that is too much to lay out.
 fn refusal(bodies: Vec<Body>) -> String {
-    compile(&Scene { bodies, ..Scene::default() }).map(|_| ()).unwrap_err().to_string()
+    compile(&Scene::new(bodies, vec![])).map(|_| ()).unwrap_err().to_string()
 }
 
 #[test]
 fn combs_that_cross_everywhere_have_every_crossing() {
-    let run = run_scene(Scene {
-        bodies: vec![comb(50, false), comb(50, true)],
-        sources: vec![ray(DVec2::new(-20.0, 50.3), 0.0)],
-        ..Scene::default()
-    });
+    let run = run_scene(Scene::new(vec![comb(50, false), comb(50, true)], vec![ray(DVec2::new(-20.0, 50.3), 0.0)]));
     is_sound(&run);
     // The teeth reach over 97 of the other's 100 sides; some of their own 404 corners are covered.
     let known: std::collections::BTreeSet<_> = run.system.interfaces().iter().flat_map(|one| one.ends).collect();
@@ -206,8 +181,8 @@ fn what_crosses_in_too_many_places_is_refused_at_once() {
 
 #[test]
 fn of_very_many_gaps_a_thousand_are_told() {
-    let disk = |k: u32| Body { at: DVec2::new(1e-5 * f64::from(k), 0.0), ..body(Shape::Disk { radius: 1e-7 }, 1.5) };
-    let scene = |count| Scene { bodies: (0..count).map(disk).collect(), ..Scene::default() };
+    let disk = |k: u32| body(Shape::Disk { radius: 1e-7 }, 1.5).placed(DVec2::new(1e-5 * f64::from(k), 0.0), 0.0);
+    let scene = |count| Scene::new((0..count).map(disk).collect(), vec![]);
     let warnings = |count| compile(&scene(count)).unwrap().warnings;
     // Each is nearer than 420 nm to the 42 before it, as millimeters.
     assert_eq!(warnings(10).len(), 45);
@@ -218,9 +193,9 @@ fn of_very_many_gaps_a_thousand_are_told() {
 
 #[test]
 fn too_many_bodies_in_one_place_are_refused() {
-    let disk = |k: u32| Body {
-        at: 1e-4 * Turn::degrees(0.37 * f64::from(k)).direction(),
-        ..body(Shape::Disk { radius: 1e-8 }, 1.5)
+    let disk = |k: u32| {
+        let at = 1e-4 * Turn::degrees(0.37 * f64::from(k)).direction();
+        body(Shape::Disk { radius: 1e-8 }, 1.5).placed(at, 0.0)
     };
     let message = refusal((0..30_000).map(disk).collect());
     assert!(message.contains("comparisons"), "{message}");
@@ -243,9 +218,8 @@ fn trapped_rays_end_with_the_segments_that_a_scene_may_follow() {
 
 /// A ray between two mirrors along a diagonal, and short edges beside it whose boxes it meets, every one.
 fn stairs(edges: u32) -> Scene {
-    let flat = |from: (f64, f64), to: (f64, f64), surface: Surface| Body {
-        substance: Substance::Surface(surface),
-        ..body(Shape::Flat { from: from.into(), to: to.into() }, 1.0)
+    let flat = |from: (f64, f64), to: (f64, f64), surface: Surface| {
+        Body::new(Shape::Flat { from: from.into(), to: to.into() }, surface)
     };
     let step = |k: u32| {
         let k = f64::from(k);
@@ -254,12 +228,10 @@ fn stairs(edges: u32) -> Scene {
     let far = f64::from(edges) + 1.0;
     let mirrors = [((-2.0, -1.0), (-1.0, -2.0)), ((far, far + 1.0), (far + 1.0, far))];
     let mirrors = mirrors.map(|(from, to)| flat(from, to, Surface::Mirror));
-    Scene {
-        bodies: (0..edges).map(step).chain(mirrors).collect(),
-        sources: vec![ray(DVec2::splat(-0.5), 45.0)],
-        trace: TraceSettings { max_depth: u32::MAX, min_power: 0.0, max_segments: 1000, ..TraceSettings::default() },
-        ..Scene::default()
-    }
+    let bodies = (0..edges).map(step).chain(mirrors).collect();
+    let mut scene = Scene::new(bodies, vec![ray(DVec2::splat(-0.5), 45.0)]);
+    (scene.trace.max_depth, scene.trace.min_power, scene.trace.max_segments) = (u32::MAX, 0.0, 1000);
+    scene
 }
 
 #[test]
@@ -287,12 +259,13 @@ fn a_way_of_thousands_of_hits_is_listed_in_bounded_text() {
 
 #[test]
 fn labels_beyond_what_can_be_placed_in_time_are_counted_below_the_figure() {
-    let gear = |k: u32| Body {
-        label: Some(format!("gear {k}")),
-        at: DVec2::new(f64::from(k % 10), f64::from(k / 10)),
-        ..body(Shape::RegularPolygon { sides: 20_000, radius: 0.4 }, 1.5)
+    let gear = |k: u32| {
+        let at = DVec2::new(f64::from(k % 10), f64::from(k / 10));
+        let mut gear = body(Shape::RegularPolygon { sides: 20_000, radius: 0.4 }, 1.5).placed(at, 0.0);
+        gear.label = Some(format!("gear {k}"));
+        gear
     };
-    let scene = |count| Scene { bodies: (0..count).map(gear).collect(), ..Scene::default() };
+    let scene = |count| Scene::new((0..count).map(gear).collect(), vec![]);
     let svg = |count| {
         let run = run_scene(scene(count));
         render::svg(&diagram::draw(&run.scene, &run.system, &run.trace.tree))
