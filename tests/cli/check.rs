@@ -137,3 +137,18 @@ fn json_names_sound_suspicious_and_missing_files() {
     let run = place.feed(&["check", "--format", "json", "-"], "(titel: 1)").status(1);
     assert_eq!(json(&run.stdout())[0]["file"], "<stdin>");
 }
+
+#[test]
+fn no_scene_of_the_collection_and_no_template_brings_a_warning() {
+    let chapters = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")).unwrap();
+    let scenes = chapters.flat_map(|chapter| fs::read_dir(chapter.unwrap().path()).unwrap());
+    let mut scenes: Vec<String> = scenes.map(|scene| scene.unwrap().path().to_str().unwrap().to_owned()).collect();
+    let place = Place::new();
+    for template in ["minimal", "prism", "lens", "tir", "mirror"] {
+        fs::write(place.path(template), place.run(&["new", template]).clean()).unwrap();
+        scenes.push(template.to_owned());
+    }
+    let arguments: Vec<&str> = std::iter::once("check").chain(scenes.iter().map(String::as_str)).collect();
+    let verdicts = place.run(&arguments).clean();
+    assert_eq!(verdicts.lines().count(), scenes.len());
+}

@@ -14,8 +14,8 @@ use snellius::explain::{Part, brightest, explain, find, latex, markdown, text};
 use snellius::light::{Power, Wavelength};
 use snellius::trace::{Crossing, Ray, Search};
 use snellius::{
-    Ending, OpticalSystem, RayTree, Scene, Segment, SegmentId, Summary, Trace, TracedRay, Via, Visitor, compile,
-    render, report, retrace, summarize, trace, visit,
+    Ending, OpticalSystem, RayTree, Scene, Segment, SegmentId, Summary, Trace, TracedRay, Via, Visitor, analysis,
+    compile, render, report, retrace, summarize, trace, visit,
 };
 
 use crate::config;
@@ -68,6 +68,7 @@ static MADE: LazyLock<Vec<Made>> = LazyLock::new(|| {
 pub(crate) fn use_all(scene: &Scene, system: &OpticalSystem, tree: &RayTree) {
     check_svg(&render::svg(&draw(scene, system, tree)));
     let _any = (draw_counted(scene, system, tree), margins(scene, system, tree), problems(scene, tree));
+    let _any = (analysis::problems(scene, system, Some(tree)), analysis::unmet_bodies(system, Some(tree)));
     let traced = with_tree(tree);
     read_back(&report::json(system, &traced));
     read_back(&report::summary_json(system, &traced.summary));
