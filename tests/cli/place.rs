@@ -68,6 +68,7 @@ impl Place {
 }
 
 /// Says that something was not tried, past the test runner, which shows no word of a test that passes.
+#[cfg(unix)]
 pub(crate) fn skipped(what: &str, why: &str) {
     let _ = writeln!(std::io::stderr(), "SKIPPED: {what}: {why}");
 }
