@@ -12,6 +12,7 @@ use snellius::analysis::{
 use snellius::diagram::{Margins, draw, draw_counted, draw_within, margins, problems};
 use snellius::explain::{Part, brightest, explain, find, latex, markdown, text};
 use snellius::light::{Power, Wavelength};
+use snellius::scene::{Body, Direction, Light, Medium, Shape, Source, View};
 use snellius::trace::{Crossing, Ray, Search};
 use snellius::{
     Ending, OpticalSystem, RayTree, Scene, Segment, SegmentId, Summary, Trace, TracedRay, Via, Visitor, analysis,
@@ -294,6 +295,20 @@ fn a_visitor_that_panics_harms_no_one_else() {
     std::panic::catch_unwind(|| snellius::trace::summarize_watched(system, &progress)).unwrap_err();
     assert_eq!(summarize(system), traced.summary);
     assert_eq!(trace(system), *traced);
+}
+
+/// Places in the figure overflow, or their squares do.
+#[test]
+fn a_view_too_small_for_numbers_is_drawn_at_once() {
+    let mut scene = Scene::new(
+        vec![Body::new(Shape::Disk { radius: 20.0 }, Medium::Index(1.5))],
+        vec![Source::new(Light::Ray { from: DVec2::new(-30.0, 10.0), direction: Direction::Angle(0.0) })],
+    );
+    for size in [1e-30, 1e-150, 1e-160, 1e-290, 1e-300, 1e-310] {
+        scene.diagram.view = View::Box(DVec2::ZERO, DVec2::splat(size));
+        let system = compile(&scene).unwrap().system;
+        use_all(&scene, &system, &trace(&system).tree);
+    }
 }
 
 /// A mirror room: every hit has one branch, and paths are as long as the light lasts.
