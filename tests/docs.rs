@@ -31,6 +31,8 @@ mod links;
 mod page;
 #[path = "docs/pictures.rs"]
 mod pictures;
+#[path = "docs/reliability.rs"]
+mod reliability;
 #[path = "docs/scene_format.rs"]
 mod scene_format;
 #[path = "docs/scenes.rs"]

@@ -58,7 +58,7 @@ fn a_killed_run_leaves_the_old_file_or_the_new_one() {
 #[test]
 fn runs_that_write_one_file_at_once_leave_it_whole() {
     const RUNS: usize = 10;
-    let text = |k: usize| scene(2).replace("bodies:", &format!("title: \"{}\", bodies:", "run ".repeat(1000 * k)));
+    let text = |k: usize| scene(2).replace("bodies:", &format!("title: \"{}\", bodies:", "run ".repeat(25 * k)));
     let place = Place::new();
     let mut whole = BTreeSet::new();
     for k in 0..RUNS {

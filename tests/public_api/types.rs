@@ -32,7 +32,7 @@ fn listed() -> BTreeSet<(&'static str, &'static str)> {
         media: Dispersion, MediumError;
         numerics: Sum, Turn;
         render: RenderError;
-        scene: Body, DiagramSettings, Direction, Element, Imaging, Light, Loaded, Medium, Note, OpticalAxis, PathStep, Places,
+        scene: Body, DiagramSettings, Direction, Element, Imaging, Light, Limit, Limits, Loaded, Medium, Note, OpticalAxis, PathStep, Places,
             Polarization, Problem, Problems, RayColor, Scene, SecondaryRays, Severity, Shape, Source, Spectrum, Substance,
             Surface, Theme, TraceSettings, View;
         system: Action, Interface, MediumId, OpticalSystem, Outline, PlacedBody, PlacedObject, PlacedSource, RayStart, Start,
