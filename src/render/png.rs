@@ -59,7 +59,7 @@ pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
 ///
 /// # Errors
 ///
-/// As those of [`png`].
+/// As those of [`png()`].
 pub fn png_within(drawing: &Drawing, scale: f32, most: u64) -> Result<Vec<u8>, RenderError> {
     let mut canvas = Canvas::new(drawing, scale, most)?;
     if let Some(color) = drawing.background {

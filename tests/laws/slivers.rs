@@ -3,6 +3,7 @@
 
 use glam::DVec2;
 use snellius::geometry::Curve;
+use snellius::numerics::{atan2_degrees, pow};
 use snellius::scene::{Medium, PathStep, Shape, Substance};
 use snellius::system::MediumId;
 use snellius::{OpticalSystem, Scene, compile};
@@ -95,7 +96,7 @@ fn tally(scene: &Scene, random: &mut Random) -> Counts {
     for (outline, curve) in outlines.flat_map(|outline| outline.curves.iter().map(move |curve| (outline, curve))) {
         for _ in 0..4 {
             // Near the ends, too, where others cross.
-            let part = 10_f64.powf(-10.0 * random.unit().powi(3));
+            let part = pow(10.0, -10.0 * pow(random.unit(), 3.0));
             let part = if random.below(2) == 0 { part } else { 1.0 - part };
             let p = curve.project(curve.a.lerp(curve.b, part));
             let Some(sides) = beside(&system, &outline.curves, curve, p) else { continue };
@@ -117,7 +118,7 @@ fn tally(scene: &Scene, random: &mut Random) -> Counts {
 
 /// A length log-uniform between 1e-13 and 1e-3 of the largest coordinate.
 fn tiny(random: &mut Random) -> f64 {
-    REACH * 10_f64.powf(-13.0 + 10.0 * random.unit())
+    REACH * pow(10.0, -13.0 + 10.0 * random.unit())
 }
 
 /// A corner of the coarse grid that all bodies share, or a point beside it.
@@ -138,7 +139,7 @@ fn beside_zero(random: &mut Random) -> DVec2 {
 fn outline(random: &mut Random) -> Shape {
     let mut points: Vec<_> = (0..3 + random.below(4)).map(|_| corner(random)).collect();
     let middle = points.iter().sum::<DVec2>() / f64::from(u32::try_from(points.len()).unwrap());
-    let angle = |p: &DVec2| snellius::numerics::atan2_degrees(p.y - middle.y, p.x - middle.x);
+    let angle = |p: &DVec2| atan2_degrees(p.y - middle.y, p.x - middle.x);
     points.sort_by(|p, q| angle(p).total_cmp(&angle(q)));
     if random.below(2) == 0 {
         let k = random.below(points.len());
@@ -148,7 +149,7 @@ fn outline(random: &mut Random) -> Shape {
     let mut path = Vec::new();
     for (k, from) in points.iter().enumerate() {
         let to = points[(k + 1) % points.len()];
-        let bulge = (to - *from).perp() * 10_f64.powf(-9.0 * random.unit()) * (random.unit() - 0.5);
+        let bulge = (to - *from).perp() * pow(10.0, -9.0 * random.unit()) * (random.unit() - 0.5);
         let through = 0.5 * (*from + to) + bulge;
         path.push(if random.below(2) == 0 { PathStep::LineTo(to) } else { PathStep::ArcTo { through, to } });
     }

@@ -29,7 +29,7 @@ const INNER_WORDS: [&str; 21] = [
 
 /// A problem says what is wrong and what would be right, without inner words, but for those of the scene itself.
 #[track_caller]
-pub fn is_in_plain_words(problem: &Problem, text: &str) {
+pub(crate) fn is_in_plain_words(problem: &Problem, text: &str) {
     assert!(problem.message.len() > 10 && problem.help.len() > 10, "{problem:?}");
     let words = format!("{} {} {}", problem.message, problem.label, problem.help);
     let inner: Vec<_> = INNER_WORDS.iter().filter(|word| words.contains(**word) && !text.contains(**word)).collect();
