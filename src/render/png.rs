@@ -55,7 +55,7 @@ pub fn png(drawing: &Drawing, scale: f32) -> Result<Vec<u8>, RenderError> {
     png_within(drawing, scale, Limit::Pixels.usual())
 }
 
-/// [`png`] of as many pixels as `most`; each takes about ten bytes of memory.
+/// [`png()`] of as many pixels as `most`; each takes about ten bytes of memory.
 ///
 /// # Errors
 ///
