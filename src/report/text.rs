@@ -8,6 +8,7 @@ use glam::DVec2;
 
 use super::number::{decimal_exponent, fixed, share, significant};
 use super::{body_name, in_memory};
+use crate::characters::one_line;
 use crate::system::OpticalSystem;
 use crate::trace::{Ending, Hit, PowerBalance, RayTree, ScreenRecord, Segment, SegmentId, Summary, Trace, TracedRay};
 
@@ -213,11 +214,6 @@ pub(crate) fn length_decimals(system: &OpticalSystem, starts: impl IntoIterator<
 
 fn count(number: u64, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
-}
-
-/// Words on one line, whatever a scene's author put into them.
-pub(crate) fn one_line(words: &str) -> String {
-    words.split(char::is_control).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
