@@ -24,26 +24,14 @@ pub(crate) fn one_line(words: &str) -> String {
     words.split(steers).collect::<Vec<_>>().join(" ")
 }
 
-/// Words for a terminal: characters that steer are shown by their codes, such as `\u{1b}`.
-pub(crate) fn coded(words: &str) -> String {
-    words.split_inclusive(steers).fold(String::with_capacity(words.len()), |mut out, part| {
-        let last = part.chars().next_back().filter(|c| steers(*c));
-        out.push_str(last.map_or(part, |last| &part[..part.len() - last.len_utf8()]));
-        out.extend(last.into_iter().flat_map(char::escape_unicode));
-        out
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn what_steers_is_a_space_or_a_code() {
+    fn what_steers_is_a_space() {
         let words = "a\u{1b}[2J\u{9b}b\nc\u{202e}d\u{2028}é";
         assert_eq!(one_line(words), "a [2J b c d é");
-        assert_eq!(coded(words), "a\\u{1b}[2J\\u{9b}b\\u{a}c\\u{202e}d\\u{2028}é");
-        assert_eq!(coded("\u{7f}"), "\\u{7f}");
     }
 
     #[test]

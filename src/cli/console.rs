@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use super::progress;
 use super::scene::name;
-use crate::characters::{coded, steers};
+use crate::scene::harmless;
 
 /// How a command went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,15 +49,13 @@ impl From<Status> for ExitCode {
 /// Puts words on standard error; a closed stream is nobody's fault. Nothing in them steers the terminal, wherever it comes from.
 pub(super) fn tell(words: impl Display) {
     drop(progress::clear());
-    let words = words.to_string();
-    let lines: Vec<_> =
-        words.split('\n').map(|line| if line.contains(steers) { coded(line) } else { line.into() }).collect();
+    let lines: Vec<_> = words.to_string().split('\n').map(|line| harmless(line).into_owned()).collect();
     let _ = writeln!(io::stderr().lock(), "{}", lines.join("\n"));
 }
 
 /// A path in messages: on one line, whatever its characters.
 pub(super) fn legible(path: &Path) -> String {
-    coded(&path.display().to_string())
+    harmless(&path.display().to_string()).into_owned()
 }
 
 /// The status of a job of several scenes. Those that failed are named at its end, since what was said of them may have scrolled
