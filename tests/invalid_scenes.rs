@@ -117,6 +117,8 @@ fn long_and_deep_texts_are_refused_at_once() {
         assert_eq!(problems(&text).len(), 1);
         assert!(problems(&text)[0].message.contains("nested"), "{:?}", problems(&text)[0].message);
     }
+    let comments = "/*".repeat(1_000_000);
+    assert_eq!(problems(&comments)[0].message, "the comment never ends");
     let long = " ".repeat(100 << 20);
     assert!(problems(&long)[0].message.contains("bytes"));
 }

@@ -36,7 +36,11 @@ pub(super) fn token(text: &str, at: usize) -> usize {
     match rest[0] {
         b'"' => quoted(rest, b'"'),
         b'\'' => quoted(rest, b'\''),
-        b'/' => (rest.len() - skip_blank(&text[at..]).len()).max(1),
+        b'/' => match rest.len() - skip_blank(&text[at..]).len() {
+            // A comment that never ends holds all the rest, other comments that begin in it too.
+            0 if rest.starts_with(b"/*") => rest.len(),
+            length => length.max(1),
+        },
         byte if is_word(byte) => {
             let word = rest.iter().position(|byte| !is_word(*byte)).unwrap_or(rest.len());
             match &rest[..word] {
