@@ -146,6 +146,28 @@ fn a_polygon_of_a_million_corners_is_a_disk() {
     }
 }
 
+/// Places in a scene that reaches to 1e12 round to a hundredth.
+#[test]
+fn what_is_lost_in_the_rounding_of_a_scene_that_reaches_far_is_told() {
+    let told = |size: f64, far: f64| {
+        let wall = Shape::Flat { from: DVec2::new(far, -far), to: DVec2::splat(far) };
+        let bodies = vec![body(Shape::Disk { radius: 0.5 * size }, 1.5), Body::new(wall, Surface::Screen)];
+        let scene = Scene::new(bodies, vec![ray(DVec2::new(-1.0, 0.0), 0.0)]);
+        compile(&scene).unwrap().warnings.iter().any(|warning| warning.message.contains("too small in a scene"))
+    };
+    assert!(told(2e-4, 1e12) && told(2e-12, 1e3));
+    assert!(!told(2e-4, 1e6) && !told(1.0, 1e12) && !told(2e-12, 1.0));
+    // What is told to be large enough is met.
+    for far in [1e6, 1e9, 1e12] {
+        let disk = format!("(shape: Disk({}), medium: Index(1.5))", 1e-13 * far);
+        let text = format!(
+            "(bodies: [{disk}, (shape: Flat(from: ({far}, -1), to: ({far}, 1)), surface: Screen)],
+            sources: [(light: Ray(from: (-1, 0), direction: Angle(0)))])"
+        );
+        assert_eq!(transmitted(&run_text(&text), 2).medium_index, 1.0, "{far}");
+    }
+}
+
 /// A comb of upright teeth, side by side; `turned` lays it down.
 fn comb(teeth: u32, turned: bool) -> Body {
     let pitch = 100.0 / f64::from(teeth);

@@ -14,6 +14,7 @@ mod lists;
 mod object;
 mod origin;
 mod outlook;
+mod proportion;
 mod region;
 mod runs;
 mod shapes;
@@ -125,6 +126,7 @@ pub(crate) fn compile_checked(scene: &Scene) -> Result<Compiled, Problem> {
     let gaps = gaps(&walls, &firsts, &neighbors, near, effort).map_err(|spent| crowded(walls[spent.at].body))?;
     let mut warnings: Vec<_> = gaps.list.iter().map(|gap| gap_warning(scene, *gap)).collect();
     warnings.extend(gaps.has_more.then(more_gaps));
+    warnings.extend(proportion::warning(&layout.bodies, near));
     let is_screen = |body: &Body| matches!(body.substance, Substance::Surface(Surface::Screen));
     let (tree, cells) = where_rays_look(&walls, near);
     let system = OpticalSystem {
