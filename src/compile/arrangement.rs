@@ -7,10 +7,9 @@ use glam::DVec2;
 
 use crate::compile::cuts::{Cuts, FEW};
 use crate::compile::effort::{Effort, Exhausted};
-use crate::compile::intersect::crossings;
 use crate::compile::leaders::Leaders;
 use crate::compile::runs::Runs;
-use crate::geometry::{Bounds, Curve};
+use crate::geometry::{Bounds, Curve, crossings, lies_on};
 use crate::numerics::cross;
 
 /// Boundaries are one where they lie within this many units in the last place of their largest coordinate.
@@ -308,20 +307,4 @@ fn reach_of_contact(first: &Curve, second: &Curve, p: DVec2, tolerance: f64) -> 
     let bend = (first.curvature - sense * second.curvature).abs();
     let square = sin * sin - 4.0 * bend * tolerance;
     if square > 0.0 { 8.0 * tolerance / (sin + square.sqrt()) } else { f64::INFINITY }
-}
-
-/// Whether a point lies on a curve, strictly between its ends, within `tolerance`.
-pub(crate) fn lies_on(curve: &Curve, p: DVec2, tolerance: f64) -> bool {
-    curve.offset(p).abs() <= tolerance && lies_between(curve, p)
-}
-
-/// Whether a point of a curve's line or circle lies strictly between its ends.
-pub(crate) fn lies_between(curve: &Curve, p: DVec2) -> bool {
-    if curve.is_straight() {
-        let along = curve.along(p);
-        return 0.0 < along && along < curve.a.distance_squared(curve.b);
-    }
-    // Of the circle's points the arc's are those nearer to its apex than its ends are.
-    let apex = curve.midpoint();
-    apex.distance_squared(p) < apex.distance_squared(curve.a)
 }

@@ -8,7 +8,6 @@ mod cuts;
 mod effort;
 mod gaps;
 mod interfaces;
-mod intersect;
 mod leaders;
 mod lists;
 mod object;

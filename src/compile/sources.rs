@@ -2,12 +2,12 @@
 
 use glam::DVec2;
 
-use crate::compile::arrangement::{lies_on, tolerance};
+use crate::compile::arrangement::tolerance;
 use crate::compile::effort::{Effort, Exhausted};
 use crate::compile::interfaces::is_interface;
 use crate::compile::region::Regions;
 use crate::compile::runs::{NODES, Runs};
-use crate::geometry::{Bounds, Curve};
+use crate::geometry::{Bounds, Curve, lies_on};
 use crate::light::{Power, Wavelength};
 use crate::media::Dispersion;
 use crate::numerics::{Turn, cross, side};

@@ -65,7 +65,9 @@ fn beside(system: &OpticalSystem, outline: &[Curve], curve: &Curve, p: DVec2) ->
     };
     // In the tip of a spike both of its edges are one.
     let is_spike = outline.iter().filter(|other| distance(other, p) <= CLEAR).count() > 1;
-    let is_clear = !is_spike && 0.4 * free > CLEAR && sides.into_iter().all(is_off);
+    // Two sides of which one is an arc may cross beside the corner that they share, up to 1e-9 of their size.
+    let is_corner = ends < 3e-9 * REACH && outline.iter().any(|other| other.curvature != 0.0);
+    let is_clear = !is_spike && !is_corner && 0.4 * free > CLEAR && sides.into_iter().all(is_off);
     is_clear.then_some(sides)
 }
 
@@ -161,10 +163,7 @@ fn random_scene(random: &mut Random) -> Scene {
     while scene.bodies.len() < 2 + random.below(3) {
         let medium = Medium::Index([1.0, 1.5, 1.5, 2.0][random.below(4)]);
         let next = body(outline(random), Substance::Medium(medium));
-        // An outline that meets itself is refused, but for arcs that do so within 1e-9 of their size from an end.
-        let alone = Scene::new(vec![next.clone()], vec![]);
-        let has_arcs = matches!(next.shape, Shape::Outline { .. });
-        if compile(&alone).is_ok() && !(has_arcs && tally(&alone, random).wrong > 0.0) {
+        if compile(&Scene::new(vec![next.clone()], vec![])).is_ok() {
             scene.bodies.push(next);
         }
     }
@@ -201,15 +200,27 @@ fn is_right(bodies: &str) {
 }
 
 #[test]
-fn an_edge_crosses_a_flat_arc_along_it() {
-    // At 2e-8 rad, and close to where the arc begins.
+fn a_long_edge_crosses_a_short_one() {
+    // An edge of 1e-6, crossed 8e-11 from its end.
     is_right(
-        "(shape: Polygon([(-60, -70), (-20, -80), (20, -60), (40, 60), (20, 60)]), medium: Index(1.5)),
-        (shape: Outline(start: (-60, -20), path: [LineTo((-60.00000000000157, -80)), LineTo((79.99999999997921, 60)),
-            LineTo((-80, 40))]), medium: Index(2)),
+        "(shape: Polygon([(20, -40.00000000000561), (20.000000860312284, -40.000000712441306), (40, 0),
+            (59.9877972724177, 79.9834980116803), (-20, 59.99999972518214)]), medium: Index(1.5)),
+        (shape: Polygon([(40, -60), (40.00000028947101, -59.99999976897605), (39.999544842314414, -39.998918161387756),
+            (-40, 20.000000000021217)]), medium: Index(1.5))",
+    );
+}
+
+#[test]
+fn an_edge_crosses_a_flat_arc_along_it() {
+    // A radius of 2e9, at 2e-8 rad.
+    is_right(
+        "(shape: Polygon([(-60, 0), (-20, -80), (20, -60), (40, 60), (20, 60)]), medium: Index(1.5)),
+        (shape: Outline(start: (-60.00000591024569, -20), path: [ArcTo(through: (-60.00002571031538, -50), to: (-60.00000000000157, -80)),
+            LineTo((79.99999999997921, 60)), LineTo((-80, 40))]), medium: Index(2)),
         (shape: Outline(start: (-80, -80), path: [LineTo((-60, -79.99999999997927)),
             ArcTo(through: (-30.000000285510463, -49.99999964592013), to: (1.371180863897158e-7, -20)),
-            LineTo((80, 40)), LineTo((40, 20)), LineTo((-20, 20))]), medium: Index(1))",
+            ArcTo(through: (39.99579824654138, 10.005602429347281), to: (80, 40)), LineTo((40, 20)), LineTo((-20, 20))]),
+            medium: Index(1))",
     );
 }
 
@@ -220,8 +231,20 @@ fn an_arc_crosses_a_much_flatter_one_twice() {
         "(shape: Outline(start: (-20, -60), path: [LineTo((60, -60)), LineTo((80, -40)),
             ArcTo(through: (49.99999857611589, 9.999999145669955), to: (19.999999999998593, 60)), LineTo((-20, -60))]),
             medium: Index(1.5)),
-        (shape: Outline(start: (79.9999999394713, -40), path: [LineTo((59.99999701150103, -20)), LineTo((-80, 60)),
+        (shape: Outline(start: (79.9999999394713, -40), path: [LineTo((59.99999701150103, -20)),
+            ArcTo(through: (-19.288142735354086, 3.7458043238727257), to: (-80.00006739877142, 60)),
             ArcTo(through: (12.34579255019549, 29.753330361215355), to: (79.9999999394713, -40))]), medium: Index(2))",
+    );
+}
+
+#[test]
+fn flat_arcs_beside_each_other_do_not_cross() {
+    // Radii of 2e10 and 4e9, 5e-8 apart.
+    is_right(
+        "(shape: Outline(start: (-20, -40), path: [LineTo((40, -80)), ArcTo(through: (40.000000059204005, -30), to: (40, 20)),
+            ArcTo(through: (9.99956153782597, -9.99956153782597), to: (-20, -40))]), medium: Index(1.5)),
+        (shape: Outline(start: (39.999999999979174, -20), path: [ArcTo(through: (40.00000001421627, -30), to: (40, -40)),
+            LineTo((60, -80)), LineTo((60, 0)), LineTo((20, 40))]), medium: Index(2))",
     );
 }
 

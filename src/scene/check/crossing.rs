@@ -1,12 +1,11 @@
 //! Whether a closed chain of edges and arcs meets itself. Straight edges are told apart exactly, by Shewchuk's adaptive
 //! predicates ("Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997, section 4.1);
-//! where arcs take part, meetings closer than rounding to an end are let pass.
+//! where arcs take part, meetings within rounding of a corner are let pass between the two curves that share it.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
 
-use crate::geometry::{Bounds, Curve};
-use crate::numerics::cross;
+use crate::geometry::{Bounds, Curve, crossings, lies_on};
 
 /// Most comparisons for all chains of a scene before one is given up.
 pub(super) const MOST_STEPS: usize = 100_000_000;
@@ -103,11 +102,12 @@ fn folds_back(first: &Curve, second: &Curve) -> bool {
         let opposed = (first.b - first.a).dot(second.b - second.a) < 0.0;
         return opposed && side(first.a, first.b, second.b) == 0.0;
     }
-    meet(first, second)
+    let shared: Vec<_> = [first.a, first.b].into_iter().filter(|p| [second.a, second.b].contains(p)).collect();
+    arcs_meet(first, second, &shared)
 }
 
 fn meet(first: &Curve, second: &Curve) -> bool {
-    if first.is_straight() && second.is_straight() { edges_meet(first, second) } else { arcs_meet(first, second) }
+    if first.is_straight() && second.is_straight() { edges_meet(first, second) } else { arcs_meet(first, second, &[]) }
 }
 
 fn edges_meet(first: &Curve, second: &Curve) -> bool {
@@ -118,47 +118,24 @@ fn edges_meet(first: &Curve, second: &Curve) -> bool {
     !apart(abc, abd) && !apart(cda, cdb) && Bounds::of([a, b]).meets(Bounds::of([c, d]))
 }
 
-/// Two curves of which at least one is an arc: their whole lines or circles are cut, and the points between the ends count.
-fn arcs_meet(first: &Curve, second: &Curve) -> bool {
-    let reach = Bounds::from(first).union(Bounds::from(second)).size().max_element();
-    let inside = |curve: &Curve, p: DVec2| {
-        let near_end = (p - curve.a).length().min((p - curve.b).length()) <= 1e-9 * reach;
-        !near_end
-            && halves(curve).iter().any(|half| (0.0..=half.along(half.b)).contains(&half.along(p)) && on_half(half, p))
+/// Whether two curves of which at least one is an arc meet anywhere but at corners that they share: there rounding decides.
+fn arcs_meet(first: &Curve, second: &Curve, shared: &[DVec2]) -> bool {
+    let around = Bounds::from(first).union(Bounds::from(second));
+    let (rounding, size) = (8.0 * f64::EPSILON * around.reach(), around.size().max_element());
+    let is_elsewhere = |p: &DVec2| shared.iter().all(|corner| corner.distance(*p) > 1e-9 * size);
+    let touches = |curve: &Curve, other: &Curve| {
+        let on_other = |p: &DVec2| halves(other).iter().any(|half| lies_on(half, *p, rounding));
+        [curve.a, curve.b].iter().any(|end| is_elsewhere(end) && on_other(end))
     };
-    cuts(first, second).into_iter().any(|p| inside(first, p) && inside(second, p))
+    let (ours, theirs) = (halves(first), halves(second));
+    let mut pairs = ours.iter().flat_map(|one| theirs.iter().map(move |other| (one, other)));
+    touches(first, second)
+        || touches(second, first)
+        || pairs.any(|(one, other)| crossings(one, other, rounding).iter().any(is_elsewhere))
 }
 
 fn halves(curve: &Curve) -> Vec<Curve> {
     if curve.is_straight() { vec![*curve] } else { curve.halves().to_vec() }
-}
-
-/// Whether a point of a half arc's circle lies on the bulging side of its chord.
-fn on_half(half: &Curve, p: DVec2) -> bool {
-    half.is_straight() || cross(half.b - half.a, p - half.a) * half.curvature <= 0.0
-}
-
-/// The points common to the whole lines or circles of two curves; none where they touch or coincide.
-fn cuts(first: &Curve, second: &Curve) -> Vec<DVec2> {
-    let (arc, other) = if first.is_straight() { (second, first) } else { (first, second) };
-    let (center, radius) = (arc.center(), arc.curvature.recip().abs());
-    // Foot of the common chord on the line through the center along `axis`.
-    let (axis, foot) = if other.is_straight() {
-        (other.n, (other.m - center).dot(other.n))
-    } else {
-        let between = other.center() - center;
-        let distance = between.length();
-        let other_radius = other.curvature.recip().abs();
-        let foot = 0.5 * (distance + (radius - other_radius) * (radius + other_radius) / distance);
-        (between / distance, foot)
-    };
-    let half_chord = ((radius - foot) * (radius + foot)).sqrt();
-    // A chord that is short against the radius is a touch, up to rounding.
-    if half_chord.is_nan() || half_chord <= 1e-7 * radius {
-        return Vec::new();
-    }
-    let foot = center + foot * axis;
-    vec![foot + half_chord * axis.perp(), foot - half_chord * axis.perp()]
 }
 
 #[cfg(test)]
@@ -201,6 +178,21 @@ mod tests {
         assert!(first_crossing(&curves).is_some());
         curves[0] = Curve::arc(DVec2::ZERO, DVec2::new(2.0, 1.5), DVec2::new(4.0, 0.0)).unwrap();
         assert_eq!(first_crossing(&curves), None);
+    }
+
+    #[test]
+    fn flat_arcs_that_cross_or_touch_are_found() {
+        // A radius of 1e9 beside one of 100.
+        let flat =
+            Curve::arc(DVec2::new(40.0, 0.0), DVec2::new(60.0 - 7e-7, 30.0 + 5e-7), DVec2::new(80.0, 60.0)).unwrap();
+        let round = Curve::arc(DVec2::new(0.0, 80.0), DVec2::new(48.7, 4.8), DVec2::new(20.0, -80.0)).unwrap();
+        let line = Curve::line;
+        assert_eq!(first_crossing(&[line(round.b, flat.a), flat, line(flat.b, round.a), round]), Some((1, 3)));
+        // The corner at (0, 60) stands on the first edge.
+        let (foot, top, corner) = (DVec2::new(0.0, -60.0), DVec2::new(0.0, 80.0), DVec2::new(0.0, 60.0));
+        let bulge = Curve::arc(top, DVec2::new(2.0, 70.0), corner).unwrap();
+        let back = Curve::arc(corner, DVec2::new(-1e-3, 0.0), foot).unwrap();
+        assert_eq!(first_crossing(&[line(foot, top), bulge, back]), Some((0, 1)));
     }
 
     #[test]

@@ -2,12 +2,11 @@
 
 use glam::DVec2;
 
-use crate::compile::arrangement::lies_between;
 use crate::geometry::{CircleRoots, Curve};
 use crate::numerics::{cross, side};
 
-/// Points inside both curves where one passes through the other or touches it within `tolerance`. Curves that lie on one line or circle within
-/// `tolerance` have none.
+/// Points inside both curves, arcs of at most half a circle, where one passes through the other or touches it within
+/// `tolerance`. Curves that lie on one line or circle within `tolerance` have none.
 pub(crate) fn crossings(first: &Curve, second: &Curve, tolerance: f64) -> Vec<DVec2> {
     if coincide(first, second, tolerance) {
         return Vec::new();
@@ -31,7 +30,26 @@ fn line_line(first: &Curve, second: &Curve) -> Option<DVec2> {
     let (from, to) = (side(first.a, first.b, second.a), side(first.a, first.b, second.b));
     let (a, b) = (side(second.a, second.b, first.a), side(second.a, second.b, first.b));
     let proper = from * to < 0.0 && a * b < 0.0;
-    proper.then(|| second.a.lerp(second.b, from / (from - to)))
+    // A short edge tells little of where a long one crosses it.
+    let is_shorter = first.a.distance_squared(first.b) < second.a.distance_squared(second.b);
+    let at = if is_shorter { first.a.lerp(first.b, a / (a - b)) } else { second.a.lerp(second.b, from / (from - to)) };
+    proper.then_some(at)
+}
+
+/// Whether a point lies on a curve, strictly between its ends, within `tolerance`.
+pub(crate) fn lies_on(curve: &Curve, p: DVec2, tolerance: f64) -> bool {
+    curve.offset(p).abs() <= tolerance && lies_between(curve, p)
+}
+
+/// Whether a point of a curve's line or circle lies strictly between its ends.
+fn lies_between(curve: &Curve, p: DVec2) -> bool {
+    if curve.is_straight() {
+        let along = curve.along(p);
+        return 0.0 < along && along < curve.a.distance_squared(curve.b);
+    }
+    // Of the circle's points the arc's are those nearer to its apex than its ends are.
+    let apex = curve.midpoint();
+    apex.distance_squared(p) < apex.distance_squared(curve.a)
 }
 
 /// The points that two whole lines or circles have in common: where the first passes from the second's left to its right, and
@@ -40,27 +58,31 @@ type Common = [DVec2; 2];
 
 /// Of the common points those inside both curves. The sides on which a curve's ends lie tell which of the points it holds: near
 /// an end, or near the chord of a flat arc, rounding misplaces the points themselves.
-fn on_both(first: &Curve, second: &Curve, common: Common) -> Vec<DVec2> {
-    let [down, up] = held(first, second, common);
+fn on_both(first: &Curve, second: &Curve, common: Common, tolerance: f64) -> Vec<DVec2> {
+    let [down, up] = held(first, second, common, tolerance);
     // Where the first passes to the second's right, the second passes to the first's left.
-    let [second_up, second_down] = held(second, first, [common[1], common[0]]);
+    let [second_up, second_down] = held(second, first, [common[1], common[0]], tolerance);
     let points = common.into_iter().zip([down && second_down, up && second_up]);
     points.filter(|(_, held)| *held).map(|(p, _)| second.clamp(first.clamp(p))).collect()
 }
 
 /// Which of the common points a curve holds, the first being where it passes from the other's left to its right.
-fn held(curve: &Curve, other: &Curve, common: Common) -> [bool; 2] {
+fn held(curve: &Curve, other: &Curve, common: Common, tolerance: f64) -> [bool; 2] {
     let side_of_other = |p| if other.is_straight() { side(other.a, other.b, p) } else { other.offset(p) };
     let [from, to] = [curve.a, curve.b].map(|end| side_of_other(end) > 0.0);
     if from != to {
         return [from, to];
     }
     let middle = common[0].midpoint(common[1]);
+    // Both lie between the ends or both beyond; where curves all but coincide, rounding puts them anywhere.
+    let (center, half) = (curve.midpoint(), curve.midpoint().distance(curve.a));
+    let is_common = |p: &DVec2| center.distance(*p) <= 1.01 * half && other.offset(*p).abs() <= tolerance;
+    let are_common = common.iter().all(is_common);
     let has_both = if curve.is_straight() {
         let is_outside = from == (other.curvature < 0.0);
-        is_outside && (0.0..curve.along(curve.b)).contains(&curve.along(middle))
+        are_common && is_outside && lies_between(curve, middle)
     } else {
-        curve.bulge_holds(middle)
+        are_common && curve.bulge_holds(middle)
     };
     [has_both; 2]
 }
@@ -75,7 +97,8 @@ fn line_arc(line: &Curve, arc: &Curve, tolerance: f64) -> Vec<DVec2> {
         return is_inside.then_some(middle).into_iter().collect();
     }
     let polished = |t: f64| polish(line, arc, at(t));
-    roots(arc, line.a, direction).map_or_else(Vec::new, |distances| on_both(line, arc, distances.map(polished)))
+    roots(arc, line.a, direction)
+        .map_or_else(Vec::new, |distances| on_both(line, arc, distances.map(polished), tolerance))
 }
 
 /// Distances along a line at which it crosses an arc's circle, from the arc's left to its right first; `None` where they miss
@@ -110,7 +133,7 @@ fn arc_arc(first: &Curve, second: &Curve, tolerance: f64) -> Vec<DVec2> {
     let Some(distances) = roots(curved, foot, direction) else { return Vec::new() };
     let [p, q] = distances.map(|t| polish(first, second, at(t)));
     let rise = |p: DVec2| first.tangent_at(p).dot(second.normal_at(p));
-    on_both(first, second, if rise(p) < rise(q) { [p, q] } else { [q, p] })
+    on_both(first, second, if rise(p) < rise(q) { [p, q] } else { [q, p] }, tolerance)
 }
 
 /// The line through the common points of two circles, by a point and a unit direction: the difference of their equations, in
@@ -132,15 +155,18 @@ fn radical_axis(curved: &Curve, flat: &Curve) -> Option<(DVec2, DVec2)> {
 
 /// A common point of two curves brought to rounding error by Newton steps on both at once.
 fn polish(first: &Curve, second: &Curve, start: DVec2) -> DVec2 {
+    let miss = |p: DVec2| first.offset(p).abs() + second.offset(p).abs();
     let mut p = start;
     for _ in 0..4 {
         let (n1, n2) = (first.normal_at(p), second.normal_at(p));
         let (f1, f2) = (first.offset(p), second.offset(p));
-        let determinant = cross(n1, n2);
-        if determinant == 0.0 {
+        let next = p - DVec2::new(f1 * n2.y - f2 * n1.y, f2 * n1.x - f1 * n2.x) / cross(n1, n2);
+        // Along curves that all but coincide rounding leads anywhere.
+        let is_nearer = miss(next) < miss(p);
+        if !is_nearer {
             break;
         }
-        p -= DVec2::new(f1 * n2.y - f2 * n1.y, f2 * n1.x - f1 * n2.x) / determinant;
+        p = next;
     }
     p
 }
