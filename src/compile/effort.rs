@@ -4,7 +4,7 @@
 use std::cell::Cell;
 
 /// Most comparisons of edges and outlines with each other while a scene is compiled. A scene takes some for each of its edges, and
-/// more only where edges come near each other; so many take seconds and some 1.2 GB of memory at most.
+/// more only where edges come near each other; so many take seconds and up to 2 GB of memory.
 pub const MAX_COMPARISONS: u64 = 20_000_000;
 
 /// Comparisons that are left.

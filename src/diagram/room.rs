@@ -12,8 +12,8 @@ use crate::numerics::cross;
 
 /// Lines beyond this many are not kept free.
 const MOST_LINES: usize = 3000;
-/// Comparisons of places with what is near, for all words of a figure: about a second.
-const MOST_COMPARISONS: usize = 500_000_000;
+/// Comparisons of places with what is near, for all words of a figure: some seconds.
+const MOST_COMPARISONS: usize = 1_000_000_000;
 /// Cost of words on words or off the frame: such a place is never taken.
 const FORBIDDEN: f64 = 1e6;
 /// Cost of a line through words.
