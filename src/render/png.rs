@@ -10,7 +10,7 @@ use crate::drawing::{Cap, Color, Drawing, Group, Item, Lines, Path, Rect, Shape,
 use crate::render::encode::encode;
 use crate::render::mix;
 use crate::render::samples::Samples;
-use crate::render::skia::{draw_glyph, single, skia_path, skia_stroke};
+use crate::render::skia::{FAR, draw_glyph, single, skia_path, skia_stroke};
 use crate::scene::Limit;
 
 /// Why a figure could not become a picture.
@@ -153,14 +153,14 @@ impl Canvas {
     }
 
     fn shape(&mut self, shape: &Shape, mask: Option<&Mask>) {
-        let Some(path) = skia_path(&shape.path) else { return };
+        let Some(path) = skia_path(&shape.path, self.far()) else { return };
         if let Some(fill) = shape.fill {
             let paint = self.paint(fill.color, fill.opacity);
             self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
         }
         if let Some(stroke) = &shape.stroke {
             let paint = self.paint(stroke.color, stroke.opacity);
-            self.pixels.stroke_path(&path, &paint, &skia_stroke(stroke), self.transform, mask);
+            self.pixels.stroke_path(&path, &paint, &skia_stroke(stroke, self.far()), self.transform, mask);
         }
     }
 
@@ -201,11 +201,16 @@ impl Canvas {
     fn text(&mut self, text: &Text, mask: Option<&Mask>) {
         let mut pen = PathBuilder::new();
         for glyph in text.glyphs() {
-            draw_glyph(&mut pen, &text.font.outline(glyph.character), &glyph);
+            draw_glyph(&mut pen, &text.font.outline(glyph.character), &glyph, self.far());
         }
         let Some(path) = pen.finish() else { return };
         let paint = self.paint(text.color, 1.0);
         self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+    }
+
+    /// [`FAR`] in pixels of the drawing.
+    fn far(&self) -> f64 {
+        FAR / f64::from(self.transform.sx)
     }
 
     fn paint(&self, color: Color, opacity: f64) -> Paint<'static> {
@@ -222,7 +227,7 @@ impl Canvas {
         {
             return Some(Rc::clone(mask));
         }
-        let path = skia_path(&Path::rect(*rect))?;
+        let path = skia_path(&Path::rect(*rect), self.far())?;
         if let Some(outer) = outer {
             let mut mask = outer.clone();
             mask.intersect_path(&path, FillRule::Winding, true, self.transform);
@@ -240,7 +245,7 @@ impl Canvas {
 fn bounds(item: &Item) -> Option<Rect> {
     match item {
         Item::Shape(shape) => {
-            let bounds = skia_path(&shape.path)?.bounds();
+            let bounds = skia_path(&shape.path, FAR)?.bounds();
             let point = |x: f32, y: f32| DVec2::new(f64::from(x), f64::from(y));
             let rect = Rect { min: point(bounds.left(), bounds.top()), max: point(bounds.right(), bounds.bottom()) };
             Some(rect.grown(shape.stroke.as_ref().map_or(0.0, |stroke| extent(stroke.width))))

@@ -6,8 +6,12 @@ use tiny_skia::{LineCap, LineJoin, PathBuilder, StrokeDash};
 use crate::drawing::{Cap, Glyph, GlyphStep, Path, PathStep, Stroke, extent};
 use crate::render::arcs::cubics;
 
-pub(super) fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &Glyph) {
-    let place = |p: DVec2| single(glyph.at + p * glyph.size);
+/// Pixels of the picture within which tiny-skia is given points and widths: at some 5e8, measured, it begins to panic.
+pub(super) const FAR: f64 = 1e8;
+
+/// Points stay within `far`, as those of paths and widths below.
+pub(super) fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &Glyph, far: f64) {
+    let place = |p: DVec2| within(glyph.at + p * glyph.size, far);
     for step in outline {
         match *step {
             GlyphStep::MoveTo(p) => pen.move_to(place(p).0, place(p).1),
@@ -26,7 +30,8 @@ pub(super) fn draw_glyph(pen: &mut PathBuilder, outline: &[GlyphStep], glyph: &G
 }
 
 /// `None` where the path is empty.
-pub(super) fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
+pub(super) fn skia_path(path: &Path, far: f64) -> Option<tiny_skia::Path> {
+    let single = |p: DVec2| within(p, far);
     let mut pen = PathBuilder::new();
     let mut last = DVec2::ZERO;
     for step in path.steps() {
@@ -43,7 +48,7 @@ pub(super) fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
             }
             PathStep::ArcTo { to, .. } => {
                 match cubics(last, step) {
-                    Some(curves) => curves.into_iter().for_each(|curve| cubic_to(&mut pen, curve)),
+                    Some(curves) => curves.into_iter().for_each(|curve| cubic_to(&mut pen, curve.map(single))),
                     None => pen.line_to(single(to).0, single(to).1),
                 }
                 last = to;
@@ -54,15 +59,14 @@ pub(super) fn skia_path(path: &Path) -> Option<tiny_skia::Path> {
     pen.finish()
 }
 
-fn cubic_to(pen: &mut PathBuilder, curve: [DVec2; 3]) {
-    let [c, d, p] = curve.map(single);
+fn cubic_to(pen: &mut PathBuilder, [c, d, p]: [(f32, f32); 3]) {
     pen.cubic_to(c.0, c.1, d.0, d.1, p.0, p.1);
 }
 
-pub(super) fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
+pub(super) fn skia_stroke(stroke: &Stroke, far: f64) -> tiny_skia::Stroke {
     let dash: Vec<f32> = stroke.dash.iter().map(|length| single(DVec2::splat(extent(*length))).0).collect();
     tiny_skia::Stroke {
-        width: single(DVec2::splat(extent(stroke.width))).0,
+        width: single(DVec2::splat(extent(stroke.width).min(far))).0,
         line_cap: match stroke.cap {
             Cap::Butt => LineCap::Butt,
             Cap::Round => LineCap::Round,
@@ -74,6 +78,10 @@ pub(super) fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
 }
 
 /// A point in tiny-skia's precision.
+fn within(p: DVec2, far: f64) -> (f32, f32) {
+    single(p.clamp(DVec2::splat(-far), DVec2::splat(far)))
+}
+
 #[allow(clippy::cast_possible_truncation, reason = "pixel coordinates; a float holds a hundredth of a pixel")]
 pub(super) fn single(p: DVec2) -> (f32, f32) {
     (p.x as f32, p.y as f32)

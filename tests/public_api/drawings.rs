@@ -162,6 +162,17 @@ fn a_picture_too_large_or_of_no_size_is_an_error() {
     }
 }
 
+/// Found by the drawings above.
+#[test]
+fn letters_wider_than_numbers_of_pixels_are_painted() {
+    let words = "many words with no end and a wordwithoutanyspaceinit".repeat(40);
+    let text = Text::new(&words, DVec2::new(f64::MAX, 0.0), 2.8e61, Color::hex(0)).in_font(Font::Bold);
+    let text = text.subscript(&words).then("x").subscript(&words).anchored(Anchor::End);
+    let mut drawing = Drawing::default();
+    (drawing.size, drawing.items) = ([4, 1], vec![text.into()]);
+    png(&drawing, 32.739_09).unwrap();
+}
+
 #[test]
 fn groups_in_groups_without_end_are_cut_off() {
     let mut item: Item = Text::new("inmost", DVec2::new(5.0, 20.0), 12.0, Color::hex(0)).into();
