@@ -1,6 +1,8 @@
 //! Characters that do not stand for themselves but act on what stands around them. Words come from strangers: such a character
 //! must not move a terminal's cursor, break a line, or turn other words round.
 
+use std::borrow::Cow;
+
 /// Whether a character steers: a control character (also those above ASCII, which some terminals obey), a break of lines, or a
 /// mark or override of the direction of writing (Unicode Standard Annex 9, table 4).
 pub(crate) fn steers(c: char) -> bool {
@@ -19,9 +21,26 @@ pub(crate) fn is_invisible(c: char) -> bool {
         || matches!(c, '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
 }
 
+/// Whether a character is not seen where it stands: one that steers, an invisible one, or a mark of annotations between lines.
+pub(crate) fn is_unseen(c: char) -> bool {
+    steers(c) || is_invisible(c) || matches!(c, '\u{fff9}'..='\u{fffb}')
+}
+
 /// Words on one line, with spaces in place of characters that steer.
 pub(crate) fn one_line(words: &str) -> String {
     words.split(steers).collect::<Vec<_>>().join(" ")
+}
+
+/// Text for a terminal: what is not seen appears as `\u{1b}`.
+pub(crate) fn harmless(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_unseen) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if is_unseen(c) { shown.extend(c.escape_unicode()) } else { shown.push(c) }
+    }
+    Cow::Owned(shown)
 }
 
 #[cfg(test)]
@@ -40,5 +59,12 @@ mod tests {
             assert!(is_invisible(c) && !steers(c), "{c:?}");
         }
         assert!(!is_invisible(' ') && !is_invisible('\u{301}') && !is_invisible('א'));
+    }
+
+    #[test]
+    fn what_is_not_seen_is_shown_as_its_number() {
+        assert_eq!(harmless("a\u{1b}[31mb\n\u{9b}c"), "a\\u{1b}[31mb\\u{a}\\u{9b}c");
+        assert_eq!(harmless("x\u{202e}y\u{2066}"), "x\\u{202e}y\\u{2066}");
+        assert!(matches!(harmless("Größe 4 µm, 光"), Cow::Borrowed(_)));
     }
 }

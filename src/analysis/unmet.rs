@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use crate::geometry::{Bounds, BoxTree, Curve, CurveTree, Waiting};
+use crate::geometry::{Bounds, BoxTree, CircleRoots, Curve, CurveTree, Waiting};
 use crate::scene::{Body, Problem, Scene, Shape, Substance, Surface};
 use crate::system::{OpticalSystem, PlacedBody};
 use crate::trace::{Ending, RayTree, Segment, TracedRay, Via, Visitor, visit};
@@ -261,19 +261,19 @@ fn lines(body: &PlacedBody) -> Vec<Curve> {
 
 /// Where a line crosses a curve of at most half a circle, as distances from a point of the line.
 fn crossings(curve: &Curve, from: DVec2, direction: DVec2, near: f64) -> impl Iterator<Item = f64> {
-    // κ |q|² − 2 n·q = 0 along q = from + t V − m.
-    let middle = curve.n.dot(direction) - curve.curvature * direction.dot(from - curve.m);
-    let power = curve.power(from);
-    let root = (middle * middle + curve.curvature * power).sqrt();
-    let sum = -(middle + root.copysign(middle));
+    let [one, other] = if curve.is_straight() {
+        [curve.n.dot(curve.m - from) / curve.n.dot(direction), f64::NAN]
+    } else {
+        let roots = CircleRoots::new(curve, from, direction);
+        if roots.meets { [roots.from_left, roots.from_right] } else { [f64::NAN; 2] }
+    };
     let curve = *curve;
     let holds = move |t: &f64| {
         let p = from + *t * direction;
         let is_between = curve.is_straight() && (0.0..=curve.along(curve.b)).contains(&curve.along(p));
         is_between || curve.bulge_holds(p) || p.distance(curve.a) <= near || p.distance(curve.b) <= near
     };
-    let far = (!curve.is_straight()).then_some(-sum / curve.curvature);
-    [Some(power / sum), far].into_iter().flatten().filter(|t| t.is_finite()).filter(holds)
+    [one, other].into_iter().filter(|t| t.is_finite()).filter(holds)
 }
 
 /// Absorbers also stand where no light should get; a stop is there for light that it stops or lets pass.

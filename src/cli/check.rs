@@ -8,7 +8,8 @@ use super::limits::Allowance;
 use super::output::Target;
 use super::scene::{self, Refusal, refuse_two_stdins};
 use super::stats::Stopwatch;
-use crate::scene::{Limits, LineSpan, Lines, Problem, Severity, harmless};
+use crate::characters::harmless;
+use crate::scene::{Limits, LineSpan, Lines, Problem, Severity};
 
 /// Check scenes and show every problem in them.
 #[derive(Args)]

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use super::progress;
 use super::scene::name;
-use crate::scene::harmless;
+use crate::characters::harmless;
 
 /// How a command went.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,3 @@
-use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -31,13 +30,13 @@ pub(super) enum Refusal {
 }
 
 impl Ready {
-    /// What is suspicious about where the light goes; it is followed for that without its tree.
+    /// What is suspicious about where the light goes. Without its tree the light is followed once more, and only deviations, which
+    /// name branches, need the tree for that.
     pub(super) fn light_warnings(&self, tree: Option<&RayTree>) -> Vec<Problem> {
+        let traced = (tree.is_none() && !self.scene.diagram.deviations.is_empty()).then(|| trace(&self.system).tree);
+        let tree = tree.or(traced.as_ref());
         let mut problems = analysis::problems(&self.scene, &self.system, tree);
-        if !self.scene.diagram.deviations.is_empty() {
-            let tree = tree.map_or_else(|| Cow::Owned(trace(&self.system).tree), Cow::Borrowed);
-            problems.extend(diagram::problems(&self.scene, &tree));
-        }
+        problems.extend(tree.into_iter().flat_map(|tree| diagram::problems(&self.scene, tree)));
         problems.iter_mut().for_each(|problem| self.places.locate(problem));
         problems
     }

@@ -3,8 +3,8 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
+use crate::characters::{harmless, is_unseen};
 use crate::scene::Problem;
-use crate::scene::harmless::{harmless, is_unseen};
 use crate::scene::lines::{LineSpan, Lines};
 
 const MOST_SHOWN: usize = 100;

@@ -107,12 +107,7 @@ fn a_read_only_file_system_is_told() {
     fs::write(place.path("sub/old.svg"), "before").unwrap();
     let script = "mount --bind sub sub && mount -o remount,bind,ro sub || exit 99
         for file in old new; do \"$0\" render a.ron -o sub/$file.svg; echo $?; done; \"$0\" render a.ron --out-dir sub/deep; echo $?";
-    let mut unshare = Command::new("unshare");
-    unshare.args(["--mount", "sh", "-c", script, env!("CARGO_BIN_EXE_snellius")]).current_dir(place.path(""));
-    let run = match unshare.output() {
-        Ok(output) if output.status.code() == Some(0) => Run(output),
-        _ => return skipped("a read-only file system", "this user may not mount one with 'unshare --mount'"),
-    };
+    let Some(run) = place.run_where_it_may_mount("a read-only file system", script) else { return };
     assert_eq!(run.stdout(), "1\n1\n1\n");
     let lines: Vec<_> = ["old.svg: cannot be written", "new.svg: cannot be written", "deep: cannot be made"]
         .map(|told| format!("sub/{told}: Read-only file system\n"))

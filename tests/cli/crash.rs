@@ -178,12 +178,7 @@ fn a_full_file_system_is_told_and_keeps_what_it_has() {
         echo before > full/old.json
         for file in old.json new.json; do \"$0\" trace a.ron -o full/$file; echo $?; done
         ls -A full; cat full/old.json";
-    let mut unshare = Command::new("unshare");
-    unshare.args(["--mount", "sh", "-c", script, env!("CARGO_BIN_EXE_snellius")]).current_dir(place.path(""));
-    let run = match unshare.output() {
-        Ok(output) if output.status.code() == Some(0) => Run(output),
-        _ => return skipped("a full file system", "this user may not mount one with 'unshare --mount'"),
-    };
+    let Some(run) = place.run_where_it_may_mount("a full file system", script) else { return };
     assert_eq!(run.stdout(), "1\n1\nold.json\nbefore\n");
     let told = |file| format!("full/{file}.json: cannot be written: no space is left\n");
     assert_eq!(run.stderr(), told("old") + &told("new"));

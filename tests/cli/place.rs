@@ -47,6 +47,19 @@ impl Place {
         Run(self.command(arguments).output().unwrap())
     }
 
+    /// Runs a script, to which `$0` is the program, in a mount namespace of its own. `None`, which is told, where this user may
+    /// not mount anything there; the script says so by status 99.
+    #[cfg(target_os = "linux")]
+    pub(crate) fn run_where_it_may_mount(&self, what: &str, script: &str) -> Option<Run> {
+        let mut unshare = Command::new("unshare");
+        unshare.args(["--mount", "sh", "-c", script, env!("CARGO_BIN_EXE_snellius")]).current_dir(self.path(""));
+        let run = unshare.output().ok().filter(|output| output.status.code() == Some(0)).map(Run);
+        if run.is_none() {
+            skipped(what, "this user may not mount one with 'unshare --mount'");
+        }
+        run
+    }
+
     /// Runs with this on standard input.
     pub(crate) fn feed(&self, arguments: &[&str], input: &str) -> Run {
         let mut command = self.command(arguments);

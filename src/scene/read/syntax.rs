@@ -5,8 +5,8 @@ use ron::error::{Position, SpannedError};
 
 use super::brackets::{Before, Open};
 use super::node::skip_blank;
+use crate::characters::is_unseen;
 use crate::scene::Problem;
-use crate::scene::harmless::is_unseen;
 
 /// What to say about a place where parsing stopped.
 struct Fault {
